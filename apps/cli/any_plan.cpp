@@ -27,9 +27,12 @@ Result<PlanRequest> request_of(const PlanWish& wish, const CancelToken& cancel) 
   return request;
 }
 
-Result<AnyPlan> make_plan(const PlanWish& wish, Designer& designer, const CancelToken& cancel) {
-  const auto request = request_of(wish, cancel);
+Result<AnyPlan> make_plan(const PlanWish& wish, Designer& designer, const CancelToken& cancel,
+                          Reader* reader) {
+  auto request = request_of(wish, cancel);
   if (!request) return request.error();
+  if (reader)
+    if (auto read = reader->read(*request); !read) return read.error();
   auto dwelling = plan_dwelling(*request, designer);
   if (!dwelling) return dwelling.error();
   if (*dwelling) return AnyPlan(**std::move(dwelling));

@@ -25,7 +25,9 @@ struct PlanWish {
 
 /// What a designer is asked.
 Result<PlanRequest> request_of(const PlanWish& wish, const CancelToken& cancel);
-Result<AnyPlan> make_plan(const PlanWish& wish, Designer& designer, const CancelToken& cancel);
+/// `reader`: null for rules.
+Result<AnyPlan> make_plan(const PlanWish& wish, Designer& designer, const CancelToken& cancel,
+                          Reader* reader = nullptr);
 /// An error of planning a wish by rules, or of furnishing its plan, as with_least_size() tells it;
 /// of dwellings as it is.
 Error told_with_least_size(const Error& error, const PlanWish& wish, const AnyPlan* plan,

@@ -24,7 +24,7 @@ Result<std::unique_ptr<ChatModel>> open_endpoint(const DesignerOptions& options,
                                                  const Context& context) {
   if (options.model.empty())
     return Error{Error::Kind::invalid_input,
-                 "--designer model needs --model NAME, as the endpoint calls it"};
+                 "--designer model and --reader model need --model NAME, as the endpoint calls it"};
   HttpModelOptions http;
   http.model = options.model;
   if (!options.base_url.empty()) http.base_url = options.base_url;
@@ -178,6 +178,12 @@ void add_thinking_option(CLI::App& command, DesignerOptions& options) {
       ->check(CLI::Range(0, 1'000'000));
 }
 
+void add_reader_option(CLI::App& command, DesignerOptions& options) {
+  add_text(command, "--reader", options.reader,
+           "Who reads the wish: rules, or model (default: who designs)")
+      ->check(CLI::IsMember({"rules", "model"}));
+}
+
 void add_designer_options(CLI::App& command, DesignerOptions& options) {
   add_chat_options(command, options);
   command
@@ -279,23 +285,34 @@ Result<ComposedModel> compose_model(const DesignerOptions& options, const Contex
                                          : Prompts::from_folder(options.prompts);
   if (!prompts) return prompts.error();
   ComposedModel composed{nullptr, nullptr, *std::move(prompts)};
-  if (options.designer != "model") return composed;
+  if (options.designer != "model" && !options.reads_by_model()) return composed;
   if (auto status = open_model(options, context, cache_folder, composed); !status)
     return status.error();
   return composed;
 }
 
+std::unique_ptr<Reader> compose_reader(const DesignerOptions& options, ChatModel* model,
+                                       const LimitedModel* limited, Prompts prompts) {
+  if (!model || !options.reads_by_model()) return nullptr;
+  ModelReaderOptions reading;
+  reading.tokens = std::max(reading.tokens, options.plan_tokens);
+  reading.no_fallback = options.no_fallback;
+  if (limited) reading.budget_is_spent = [limited] { return limited->refused(); };
+  return make_model_reader(*model, std::move(prompts), KindTable::built_in(), std::move(reading));
+}
+
 Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const Context& context,
                                           const std::string& cache_folder) {
   ComposedDesigner composed;
-  if (options.designer != "model") {
-    composed.designer = make_rule_designer();
-    return composed;
-  }
   auto model = compose_model(options, context, cache_folder);
   if (!model) return model.error();
   composed.model = std::move(model->model);
   composed.limited = model->limited;
+  composed.reader = compose_reader(options, composed.model.get(), composed.limited, model->prompts);
+  if (options.designer != "model") {
+    composed.designer = make_rule_designer();
+    return composed;
+  }
   ModelDesignerOptions model_options;
   model_options.mode = options.model_mode();
   model_options.steps = options.steps == "objects" ? ModelSteps::objects : ModelSteps::groups;

@@ -17,6 +17,7 @@ namespace roomgen::cli {
 /// Who plans the room and suggests places.
 struct DesignerOptions {
   std::string designer = "rules";
+  std::string reader;  ///< who reads the wish: rules or model; empty: who designs
   std::string model, base_url, protocol, key_file, prompts, prices;
   std::string mode = "fused", frame = "plan", fusion = "scaled", order = "plan", steps = "groups";
   std::string choose = "on", make = "rules";
@@ -33,6 +34,7 @@ struct DesignerOptions {
   int thinking = 0;
   std::string improve = "minimal", repair = "on";
 
+  bool reads_by_model() const { return (reader.empty() ? designer : reader) == "model"; }
   ModelMode model_mode() const;
   double idle() const;
   bool paper_frame() const { return frame == "paper"; }
@@ -42,6 +44,8 @@ struct DesignerOptions {
 void add_chat_options(CLI::App& command, DesignerOptions& options);
 /// Adds --thinking, for commands whose models write programs.
 void add_thinking_option(CLI::App& command, DesignerOptions& options);
+/// Adds --reader, for commands that read a wish.
+void add_reader_option(CLI::App& command, DesignerOptions& options);
 /// These, and what a model is asked while it designs a room.
 void add_designer_options(CLI::App& command, DesignerOptions& options);
 
@@ -56,6 +60,7 @@ struct ComposedDesigner {
   const LimitedModel* limited = nullptr;  ///< part of `model`, unless answers are replayed
   std::unique_ptr<Designer> designer;
   std::unique_ptr<create::Maker> maker;  ///< the model as a maker; null: rules make things
+  std::unique_ptr<Reader> reader;  ///< null where rules read
   /// The pictures that the model was shown, PNG or JPEG, in order.
   std::shared_ptr<std::vector<std::string>> shown = std::make_shared<std::vector<std::string>>();
 };
@@ -68,7 +73,8 @@ Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const 
 /// A picture as the options want it sent.
 Result<std::string> encode_for(const DesignerOptions& options, const Image& picture);
 
-/// The model alone, for commands that ask it other things. Null for rules.
+/// The model alone, for commands that ask it other things. Null where neither designer nor reader
+/// is one.
 struct ComposedModel {
   std::unique_ptr<ChatModel> model;
   const LimitedModel* limited = nullptr;
@@ -76,6 +82,10 @@ struct ComposedModel {
 };
 Result<ComposedModel> compose_model(const DesignerOptions& options, const Context& context,
                                     const std::string& cache_folder);
+
+/// Who reads wishes: null for rules.
+std::unique_ptr<Reader> compose_reader(const DesignerOptions& options, ChatModel* model,
+                                       const LimitedModel* limited, Prompts prompts);
 
 /// What the mode makes of the fusion: without a suggestion there is nothing to weigh. And what is moved
 /// besides.

@@ -23,15 +23,18 @@ std::vector<KindOffer> kind_offers(const AssetLibrary& library, const KindTable&
 
 Authors::Authors(ComposedModel& model, const DesignerOptions& options, const AssetLibrary& library)
     : model_(model), options_(options) {
-  if (model.model) kinds_ = kind_offers(library, KindTable::built_in());
+  if (options.designer == "model") kinds_ = kind_offers(library, KindTable::built_in());
 }
 
 ProgramAuthor Authors::author() const {
-  return model_.model ? model_author(*model_.model, model_.prompts, {.thinking = options_.thinking, .kinds = kinds_}) : rule_author();
+  return options_.designer == "model"
+             ? model_author(*model_.model, model_.prompts,
+                            {.thinking = options_.thinking, .kinds = kinds_})
+             : rule_author();
 }
 
 void Authors::show(ComposeOptions& options) {
-  if (model_.model)
+  if (options_.designer == "model")
     options.picture = [this](const Scene& scene, const ModelTable& models) { return picture(scene, models); };
 }
 

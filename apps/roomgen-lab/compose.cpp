@@ -97,6 +97,9 @@ Result<int> run(const Context& context, ComposeCommand& command) {
   auto library = open_all_libraries(command.libraries, context);
   if (!library) return library.error();
   const KindTable& kinds = KindTable::built_in();
+  if (const auto reader = compose_reader(command.designer, composed->model.get(), composed->limited,
+                                         composed->prompts))
+    if (auto read = reader->read(command.request.plan); !read) return read.error();
   const CancelToken cancel = command.seconds > 0 ? context.cancel.within(std::chrono::duration<double>(command.seconds))
                                                  : context.cancel;
   command.options.optimise.cancel = command.request.plan.cancel = cancel;
@@ -158,6 +161,7 @@ void add_compose_command(CLI::App& app, Context& context) {
   sub->add_flag("--no-pictures", command->no_pictures, "Leave out the pictures");
   sub->add_option("--pixels", command->pixels, "Length of the pictures' longer side")->capture_default_str();
   add_chat_options(*sub, command->designer);
+  add_reader_option(*sub, command->designer);
   add_thinking_option(*sub, command->designer);
   add_library_options(*sub, command->libraries);
   sub->callback([command, &context] { context.run = [command, &context] { return run(context, *command); }; });

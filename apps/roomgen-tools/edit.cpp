@@ -55,7 +55,7 @@ Result<std::vector<std::string>> pictures_for_model(const EditCommand& command, 
 
 Result<Understanding> understood_by_wish(const Context& context, const EditCommand& command,
                                          Session& session) {
-  if (command.designer.designer != "model") return understand(session, command.sentence);
+  if (!command.designer.reads_by_model()) return understand(session, command.sentence);
   const auto composed = compose_model(command.designer, context, cache_folder(command.libraries));
   if (!composed) return composed.error();
   auto pictures = pictures_for_model(command, session);
@@ -186,6 +186,7 @@ void add_edit_command(CLI::App& app, Context& context) {
   sub->add_flag("--dry-run", command->dry_run, "Only print the operations that the sentence means");
   add_file_options(*sub, *command);
   add_chat_options(*sub, command->designer);
+  add_reader_option(*sub, command->designer);
   sub->callback([command, &context] {
     if (command->sentence.empty() && command->operation.empty())
       throw CLI::ValidationError("sentence", "say what to change, or give --op");

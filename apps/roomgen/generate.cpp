@@ -218,8 +218,9 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   Designer& designer = *composed->designer;
   const ProgressBar bar(context.quiet);
   if (composed->model) bar.show(0, 1, "asking for a plan");
-  auto plan = command.plan_file.empty() ? make_plan(command.wish, designer, context.cancel)
-                                        : read_any_plan(command.plan_file);
+  auto plan = command.plan_file.empty()
+                  ? make_plan(command.wish, designer, context.cancel, composed->reader.get())
+                  : read_any_plan(command.plan_file);
   bar.clear();
   if (!plan) return with_bill(with_least(context, command, *composed, plan.error()), *composed);
   auto output = open_room_folder(folder, command.force);
@@ -316,6 +317,7 @@ void add_generate_command(CLI::App& app, Context& context) {
                   "Most time once there is a plan, after which the room so far is written (default: 60 a room, 900 with a model)")
       ->check(CLI::PositiveNumber);
   add_designer_options(*sub, command->designer);
+  add_reader_option(*sub, command->designer);
   add_finish_options(*sub, command->designer);
   add_library_options(*sub, command->libraries);
   sub->callback([command, &context] {

@@ -6,7 +6,7 @@
 
 namespace roomgen {
 
-/// A file of the repository's data/ or prompts/ folder, compiled into the library, by its path there
+/// A file of the repository's data/ or prompts/ folder, or a schema of docs/, compiled into the library, by its path there
 /// ("data/rooms.json"). The view lives as long as the program.
 std::optional<std::string_view> resource(std::string_view path);
 

@@ -131,4 +131,7 @@ class Discourse {
   std::size_t told_by_ = HeardWords::none;
 };
 
+/// What is not near is planned far.
+void keep_away(const Denial& denial, Discourse& talk);
+
 }  // namespace roomgen::brief

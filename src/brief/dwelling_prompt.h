@@ -23,6 +23,7 @@ struct SaidRoom {
 
   std::string type;             ///< "bedroom"
   std::string prompt;           ///< a prompt for this room alone
+  std::optional<Brief> brief = {};  ///< what it says, where that is read already; then the prompt is the whole one
   std::vector<Origin> origins;  ///< of its words, in their order
   std::size_t owner = none;     ///< index of the room from which it alone is entered (en suite)
 };

@@ -34,7 +34,7 @@ void read_styles(PromptReading& reading) {
 
 }  // namespace
 
-Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTable& table) {
+Brief read_words(std::string_view prompt, const RoomKinds& kinds, const KindTable& table) {
   Brief brief;
   const auto& words = built_in_vocabulary();
   if (!words) return brief;
@@ -80,15 +80,22 @@ Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTab
   read_remarks(reading);
   note_lost_limits(reading);
   bring_for_people({*words, table, kinds.get(brief.type)}, brief);
+  return brief;
+}
+
+void conclude(Brief& brief, const RoomKinds& kinds, const KindTable& table) {
   bound_mentions(brief);
   settle(brief, table);
-  if (brief.type.empty()) {
-    brief.type = guess_room_type(brief, kinds, table);
-    if (!brief.type.empty()) {
-      brief.type_known = true;
-      brief.notes.push_back("the prompt names no kind of room; taken for a " + brief.type);
-    }
-  }
+  if (!brief.type.empty()) return;
+  brief.type = guess_room_type(brief, kinds, table);
+  if (brief.type.empty()) return;
+  brief.type_known = true;
+  brief.notes.push_back("the prompt names no kind of room; taken for a " + brief.type);
+}
+
+Brief read_prompt(std::string_view prompt, const RoomKinds& kinds, const KindTable& table) {
+  Brief brief = read_words(prompt, kinds, table);
+  conclude(brief, kinds, table);
   return brief;
 }
 

@@ -42,16 +42,15 @@ std::string part_denied(const PromptReading& reading, std::int32_t target) {
   return place->place == Place::wall && !place->centered ? wall_named(*place) : "";
 }
 
-// What is not near is planned far.
-void keep_away(PromptReading& reading, const Denial& denial) {
+}  // namespace
+
+void keep_away(const Denial& denial, Discourse& talk) {
   if (denial.kind != RelationKind::near && denial.kind != RelationKind::next_to && denial.kind != RelationKind::side_of)
     return;
   Demand away{RelationKind::far, denial.target, denial.part, false};
   away.is_means = true;
-  reading.talk.add(denial.thing, away);
+  talk.add(denial.thing, away);
 }
-
-}  // namespace
 
 bool denies_place(const PromptReading& reading, const Attachment& attachment) {
   return attachment.is_denied || is_nothing(reading.phrase(attachment.from));
@@ -70,7 +69,7 @@ void read_denied_place(PromptReading& reading, const Attachment& attachment) {
   for (const std::size_t thing : things) {
     if (thing == target) continue;
     reading.brief.denials.push_back({thing, said->placement->relations.front(), target.value_or(no_mention), part, heard});
-    keep_away(reading, reading.brief.denials.back());
+    keep_away(reading.brief.denials.back(), reading.talk);
   }
 }
 

@@ -12,6 +12,10 @@ constexpr std::size_t most_quoted = 24000;  // bytes
 
 }  // namespace
 
+std::string quoted_answer(const ChatReply& reply, std::size_t most) {
+  return reply.cut_off ? "(an answer that was cut off)" : shortened(reply.text, most);
+}
+
 std::string Interview::with_ending(const ChatRequest& request, const ChatReply& reply,
                                    std::string objection) {
   if (!reply.cut_off) return objection;
@@ -43,12 +47,12 @@ Result<ChatReply> Interview::call(const ChatRequest& request) {
   return reply;
 }
 
-Status Interview::ask_again(ChatRequest& request, const std::string& answer,
+Status Interview::ask_again(ChatRequest& request, const ChatReply& reply,
                             const std::string& objection) {
   notes_.push_back("asked again: " + objection);
   auto again = prompts_.render("again-user", {{"error", objection}});
   if (!again) return again.error();
-  request.messages.push_back({ChatMessage::Role::assistant, shortened(answer, most_quoted), {}});
+  request.messages.push_back({ChatMessage::Role::assistant, quoted_answer(reply, most_quoted), {}});
   request.messages.push_back({ChatMessage::Role::user, *std::move(again), {}});
   request.temperature = second_temperature;
   return {};

@@ -21,6 +21,10 @@ struct Reading {
   std::string complaint = {};
 };
 
+/// An answer as it is shown to the model again: at most so many bytes, and nothing of one that was
+/// cut off, which it would only continue or repeat.
+std::string quoted_answer(const ChatReply& reply, std::size_t most);
+
 /// One thing that a model is asked for.
 struct Question {
   std::string system, user;  ///< names of prompts
@@ -65,7 +69,7 @@ class Interview {
         return Error{Error::Kind::invalid_input, objection};
       }
       if (understood) usable = std::move(understood);
-      if (auto status = ask_again(*request, reply->text, objection); !status) return status.error();
+      if (auto status = ask_again(*request, *reply, objection); !status) return status.error();
     }
   }
 
@@ -94,7 +98,7 @@ class Interview {
                                  std::string objection);
   Result<ChatRequest> first_request(const Question& question) const;
   Result<ChatReply> call(const ChatRequest& request);
-  Status ask_again(ChatRequest& request, const std::string& answer, const std::string& objection);
+  Status ask_again(ChatRequest& request, const ChatReply& reply, const std::string& objection);
 
   ChatModel& model_;
   Prompts prompts_;

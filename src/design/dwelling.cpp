@@ -6,9 +6,9 @@
 
 #include "base/random.h"
 #include "brief/dwelling_kinds.h"
-#include "brief/dwelling_prompt.h"
 #include "brief/prompt.h"
 #include "brief/room_kinds.h"
+#include "brief/said_wish.h"
 #include "plan/coverage.h"
 #include "plan/dwelling_layout.h"
 #include "plan/dwelling_openings.h"
@@ -28,10 +28,17 @@ double bounded(double area, const brief::DwellingRoom& kind) {
   return std::clamp(area, least_share * kind.area.low, greatest_share * kind.area.high);
 }
 
+// A room that dwellings do not usually have is like any other.
+brief::DwellingRoom kind_of(const std::string& type, const brief::DwellingKinds& dwellings) {
+  const auto known = dwellings.rooms.find(type);
+  return known == dwellings.rooms.end() ? brief::DwellingRoom() : known->second;
+}
+
 // What the prompt says of the room's size, else drawn by its kind.
 double area_of(const brief::SaidRoom& said, const brief::DwellingRoom& kind,
                const brief::RoomKinds& kinds, Random random) {
-  const brief::Brief brief = brief::read_prompt(said.prompt, kinds, KindTable::built_in());
+  const brief::Brief brief =
+      said.brief ? *said.brief : brief::read_prompt(said.prompt, kinds, KindTable::built_in());
   if (brief.size) return bounded(brief.size->prod(), kind);
   if (brief.area) return bounded(*brief.area, kind);
   double area = random.uniform(kind.area.low, kind.area.high);
@@ -46,14 +53,14 @@ std::vector<plan::LaidRoom> lay(const brief::SaidDwelling& said,
   std::vector<plan::LaidRoom> rooms;
   double sum = 0.0;
   for (std::size_t i = 0; i < said.rooms.size(); ++i) {
-    const double area = area_of(said.rooms[i], dwellings.rooms.at(said.rooms[i].type), kinds,
+    const double area = area_of(said.rooms[i], kind_of(said.rooms[i].type, dwellings), kinds,
                                 random.fork("area " + std::to_string(i)));
     rooms.push_back({said.rooms[i].type, area, said.rooms[i].owner, {}});
     sum += area;
   }
   if (said.area)
     for (auto& room : rooms)
-      room.area = bounded(room.area * *said.area / sum, dwellings.rooms.at(room.type));
+      room.area = bounded(room.area * *said.area / sum, kind_of(room.type, dwellings));
   return plan::lay_out(std::move(rooms), dwellings);
 }
 
@@ -128,7 +135,10 @@ Result<std::optional<DwellingPlan>> plan_dwelling(const PlanRequest& request, De
   const auto& kinds = brief::built_in_room_kinds();
   if (!kinds) return kinds.error();
   if (request.room || request.size) return none;
-  const auto said = brief::read_dwelling(request.prompt, *dwellings, *kinds, KindTable::built_in());
+  const brief::SaidWish* read = brief::reading_of(request);
+  const auto said =
+      read ? read->dwelling
+           : brief::read_dwelling(request.prompt, *dwellings, *kinds, KindTable::built_in());
   if (!said) return none;
 
   const Random random = Random(request.seed).fork("dwelling");
@@ -150,6 +160,9 @@ Result<std::optional<DwellingPlan>> plan_dwelling(const PlanRequest& request, De
     own.seed = random.fork("plan of " + rooms[i].id).fork("seed").next();
     own.room = rooms[i];
     own.cancel = request.cancel;
+    if (i < said->rooms.size() && said->rooms[i].brief)
+      own.said = std::make_shared<brief::SaidWish>(
+          brief::SaidWish{own.prompt, *said->rooms[i].brief, {}, true});
     auto room = designer.plan(own);
     if (!room) return with_context(room.error(), "room \"" + rooms[i].id + "\"");
     plan.rooms.push_back(*std::move(room));

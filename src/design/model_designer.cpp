@@ -6,7 +6,8 @@
 
 #include "asset_choice.h"
 #include "base/sha256.h"
-#include "brief/prompt.h"
+#include "brief/said_wish.h"
+#include "chat/interview.h"
 #include "chat/patience.h"
 #include "model_questions.h"
 #include "place_reply.h"
@@ -48,7 +49,7 @@ class ModelDesigner : public Designer {
         return status.error();
       if (incomplete) return answer;
       const auto claimed = plan::claim(answer->plan, brief, categories_);
-      const auto objection = plan::objection(claimed, brief);
+      const auto objection = plan::objection(request, claimed, brief, answer->plan);
       if (objection.empty()) return answer;
       incomplete = *std::move(answer);
       return Error{Error::Kind::invalid_input, objection};
@@ -62,6 +63,7 @@ class ModelDesigner : public Designer {
       note(reply->plan, reply->repairs);
       note(reply->plan, planning_.notes);
       idea_ = std::move(reply->concept_text);
+      if (brief::reading_of(request)) note(reply->plan, brief.notes);
       return std::move(reply->plan);
     }
     auto plan = fallback_->plan(request);
@@ -131,7 +133,7 @@ class ModelDesigner : public Designer {
   // What the prompt asks for holds whoever plans.
   brief::Brief brief_of(const PlanRequest& request) const {
     const auto& kinds = brief::built_in_room_kinds();
-    return kinds ? brief::read_prompt(request.prompt, *kinds, categories_) : brief::Brief();
+    return kinds ? brief::brief_of(request, *kinds, categories_) : brief::Brief();
   }
 
   // Before anything is placed, what keeps the model from answering at all is worth knowing.
@@ -277,7 +279,7 @@ class ModelDesigner : public Designer {
       auto again = questions_.again(error);
       if (!again) return again.error();
       question.messages.push_back(
-          {ChatMessage::Role::assistant, shortened(reply->text, most_quoted), {}});
+          {ChatMessage::Role::assistant, quoted_answer(*reply, most_quoted), {}});
       question.messages.push_back({ChatMessage::Role::user, *std::move(again), {}});
       question.temperature = second_temperature;
     }

@@ -1,8 +1,8 @@
 #include "roomgen/design/designer.h"
 
-#include "brief/prompt.h"
 #include "brief/prompt_words.h"
 #include "brief/room_kinds.h"
+#include "brief/said_wish.h"
 #include "language/foreign.h"
 #include "plan/planning.h"
 #include "roomgen/base/text.h"
@@ -38,7 +38,10 @@ Status check_request(const PlanRequest& request) {
 // Furnishing a room that nobody asked for would be worse than saying so.
 Status check_understood(const PlanRequest& request, const brief::Brief& brief) {
   const auto tokens = language::tokenize(request.prompt, brief::max_tokens);
-  if (const auto foreign = language::foreign_language(tokens))
+  const brief::SaidWish* read = brief::reading_of(request);
+  const auto foreign =
+      read && read->is_by_model ? std::nullopt : language::foreign_language(tokens);
+  if (foreign)
     return Error{Error::Kind::not_understood,
                  "the prompt seems to be " + foreign->name + ". " + foreign->refusal};
   if (request.room && !request.room->type.empty()) return {};
@@ -54,7 +57,7 @@ class RuleDesigner : public Designer {
     if (auto ready = check_knowledge(); !ready) return ready.error();
     if (auto status = check_request(request); !status) return status.error();
     const brief::Brief brief =
-        brief::read_prompt(request.prompt, *brief::built_in_room_kinds(), KindTable::built_in());
+        brief::brief_of(request, *brief::built_in_room_kinds(), KindTable::built_in());
     if (auto status = check_understood(request, brief); !status) return status.error();
     return plan::make_plan(request, brief, *brief::built_in_room_kinds(), KindTable::built_in(),
                      *built_in_arrangements());

@@ -36,6 +36,12 @@ std::string numbered(int count, const std::string& name) {
   return count == 1 ? "a " + name : std::to_string(count) + " " + name;
 }
 
+std::vector<Draft> drafts_of(const std::vector<std::size_t>& mentions) {
+  std::vector<Draft> drafts(mentions.size());
+  for (std::size_t i = 0; i < drafts.size(); ++i) drafts[i].mention = mentions[i];
+  return drafts;
+}
+
 }  // namespace
 
 Claim claim(const Plan& plan, const brief::Brief& brief, const KindTable& table) {
@@ -71,12 +77,26 @@ std::vector<Requirement> clauses_of(const PlanRequest& request, const brief::Bri
   return ledger_of(request, brief, asked, plan).requirements;
 }
 
-std::string objection(const Claim& claim, const brief::Brief& brief) {
+std::string objection(const PlanRequest& request, const Claim& claim, const brief::Brief& brief,
+                      const Plan& plan) {
   if (claim.forgotten.empty()) return "";
+  const auto requirements =
+      ledger_of(request, brief, drafts_of(claim.mention_of), plan).requirements;
   std::vector<std::string> lacking;
-  for (const auto& one : claim.forgotten)
-    lacking.push_back(numbered(one.lacking, brief.mentions[one.mention].description));
-  return "the description asks for things that your plan lacks: " + join(lacking, ", ");
+  for (const auto& one : claim.forgotten) {
+    const brief::Mention& mention = brief.mentions[one.mention];
+    const auto clause =
+        std::find_if(requirements.begin(), requirements.end(), [&](const Requirement& requirement) {
+          return requirement.kind == Requirement::Kind::count &&
+                 requirement.category == mention.category &&
+                 (mention.most > mention.least || requirement.count == mention.quantity);
+        });
+    lacking.push_back((clause == requirements.end() ? "" : clause->id + ": ") +
+                      numbered(mention.quantity, mention.description) + ": " +
+                      std::to_string(mention.quantity - one.lacking) + " of " +
+                      std::to_string(mention.quantity));
+  }
+  return "the wish asks for things that your plan lacks: " + join(lacking, "; ");
 }
 
 void fulfil(const PlanRequest& request, const Claim& claim, const brief::Brief& brief,
@@ -99,9 +119,7 @@ void fulfil(const PlanRequest& request, const Claim& claim, const brief::Brief& 
     plan.notes.push_back(numbered(one.lacking, draft->item.description) +
                          ": asked for and not planned; added by rules");
   }
-  std::vector<Draft> drafts(plan.items.size());
-  for (std::size_t i = 0; i < drafts.size(); ++i) drafts[i].mention = mention_of[i];
-  auto ledger = ledger_of(request, brief, drafts, plan);
+  auto ledger = ledger_of(request, brief, drafts_of(mention_of), plan);
   plan.requirements = std::move(ledger.requirements);
   plan.heard = std::move(ledger.heard);
 }

@@ -30,9 +30,10 @@ Claim claim(const Plan& plan, const brief::Brief& brief, const KindTable& table)
 std::vector<Requirement> clauses_of(const PlanRequest& request, const brief::Brief& brief,
                                     const KindTable& table);
 
-/// What is wrong, in words meant for who made the plan: "a wardrobe, 2 lamps are asked for". Empty
-/// if nothing is.
-std::string objection(const Claim& claim, const brief::Brief& brief);
+/// What is wrong, in words meant for who made the plan, by the requirements that it does not meet:
+/// "r3: a wardrobe: 0 of 1; r7: 2 red lamp: 1 of 2". Empty if nothing is.
+std::string objection(const PlanRequest& request, const Claim& claim, const brief::Brief& brief,
+                      const Plan& plan);
 
 /// Adds what was forgotten, and makes the prompt's clauses the requirements of the plan.
 void fulfil(const PlanRequest& request, const Claim& claim, const brief::Brief& brief,

@@ -42,6 +42,8 @@ TEST_CASE("Every prompt is rendered whole when its slots are filled, and not oth
       {"choose-system", {}},
       {"choose-user", {{"prompt", "a study"}, {"room", "r"}, {"again", ""}, {"offers", "1. desk"}}},
       {"place-words", {}},
+      {"read-system", {{"relations", "\"on\""}}},
+      {"read-user", {{"wish", "a study"}}},
       {"again-user", {{"error", "no JSON"}}},
       {"edit-system", {{"frame", "metres"}, {"words", "edge"}, {"operations", "move"}}},
       {"edit-operations", {}},

@@ -34,7 +34,7 @@ BOUNDS = [
 def measure(roomgen, folder, mode, *options):
     """A room furnished by an endpoint of this mode: exit code, summary if any, what was said, and the endpoint's bill."""
     with Endpoint(mode) as endpoint:
-        command = [roomgen, "--json", "generate", PROMPT, "-o", str(folder), "--force", "--no-pictures", "--designer", "model", "--steps", "objects", "--plan-tokens", "4096",
+        command = [roomgen, "--json", "generate", PROMPT, "-o", str(folder), "--force", "--no-pictures", "--designer", "model", "--reader", "rules", "--steps", "objects", "--plan-tokens", "4096",
                    "--model", "gpt-4o", "--base-url", endpoint.url, *options]  # fmt: skip
         done = subprocess.run(command, capture_output=True, text=True)
     summary = json.loads(done.stdout) if done.stdout else None

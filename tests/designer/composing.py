@@ -45,7 +45,7 @@ def main():
     def compose(*answers, more=()):
         ANSWERS[:] = [a if isinstance(a, str) else json.dumps(a) for a in answers]
         QUESTIONS.clear()
-        done = subprocess.run([roomgen, "compose", "a study for two", "-o", folder / "room", "--designer", "model", "--model",
+        done = subprocess.run([roomgen, "compose", "a study for two", "-o", folder / "room", "--designer", "model", "--reader", "rules", "--model",
                                "composer-1", "--base-url", url, "--no-pictures", "--steps", "4000", "--force", *more],
                               capture_output=True, text=True)
         assert not ANSWERS, f"the model was asked {len(QUESTIONS)} times: {done.stderr}"

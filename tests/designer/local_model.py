@@ -27,7 +27,7 @@ def main():
         url = server.stdout.readline().strip()
         done = subprocess.run(
             [
-                roomgen, "--quiet", "--json", "generate", "a bedroom", "--designer", "model", "--steps", "objects", "--model", "smollm2",
+                roomgen, "--quiet", "--json", "generate", "a bedroom", "--designer", "model", "--reader", "rules", "--steps", "objects", "--model", "smollm2",
                 "--mode", "constraints", "--base-url", url, "--call-seconds", "60", "--idle-seconds", "60", "--plan-tokens", "600", "--place-tokens", "150",
                  "-o", output, "--force", "--no-pictures",
             ],

@@ -54,7 +54,7 @@ def one_room(roomgen, prompt, manner, folder, more=()):
     try:
         summary = run(
             roomgen, prompt, "--seed", "5", "-o", str(output), "--no-pictures", "--force",
-            "--room", str(folder / "room.json"), "--designer", "model", "--model", "scripted", "--base-url", url, *more,
+            "--room", str(folder / "room.json"), "--designer", "model", "--reader", "rules", "--model", "scripted", "--base-url", url, *more,
         )  # fmt: skip
     finally:
         server.shutdown()

@@ -40,7 +40,7 @@ def main():
     outputs = [run(roomgen, PROMPT, "--seed", "2", "-o", str(script))]
     server, url = serve(script, "chatty")
     threading.Thread(target=server.serve_forever, daemon=True).start()
-    model = ["--designer", "model", "--model", "scripted", "--seed", "2"]
+    model = ["--designer", "model", "--reader", "rules", "--model", "scripted", "--seed", "2"]
     outputs.append(run(roomgen, PROMPT, *model, "-o", str(folder / "first"), "--base-url", url, "--record", str(record), key=KEY))
     server.shutdown()
     server.server_close()

@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "brief/prompt.h"
+#include "brief/said_wish.h"
 #include "bytes.h"
 #include "create/maker_replies.h"
 #include "lab/compose/model_author.h"
@@ -25,6 +26,14 @@ void read_plan(const std::string& text) {
   if (reply) must(plan_from_json(to_json(reply->plan), "plan.json").ok());
 }
 
+void read_wish(const std::string& text) {
+  const auto json = parse_json(text, "answer");
+  if (!json) return;
+  const auto& kinds = *brief::built_in_room_kinds();
+  const auto reading = brief::wish_from_json(*json, "two red chairs at a desk and a lamp on each desk", kinds, KindTable::built_in());
+  for (const auto& words : reading.wish.brief.heard) must(words.tokens.begin < words.tokens.end && words.tokens.end <= reading.wish.brief.tokens.size());
+}
+
 void read_place(const std::string& text) {
   static const Scene scene = [] {
     Scene made;
@@ -44,7 +53,7 @@ void read_place(const std::string& text) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   FuzzedBytes bytes{data, size};
-  const auto which = bytes.choice(5);
+  const auto which = bytes.choice(6);
   const std::string text(bytes.text());
   switch (which) {
     case 0:
@@ -57,6 +66,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       (void)compose::read_program_answer(text, {}, KindTable::built_in());
       break;
     case 3:
+      read_wish(text);
+      break;
+    case 4:
       (void)create::read_mesh_reply(text, "stool");
       break;
     default:

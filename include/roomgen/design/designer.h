@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "roomgen/base/cancel.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/model.h"
 #include "roomgen/library/library.h"
@@ -149,6 +150,38 @@ class Designer {
   /// then the room ends with what is placed.
   virtual Result<PlaceAdvice> place(const PlaceRequest& request) = 0;
 };
+
+/// Reads what a wish says. Without one, rules read it where a plan is made.
+class Reader {
+ public:
+  virtual ~Reader() = default;
+
+  /// Sets PlanRequest::said: designers plan by it, the plan's requirements come from it and from
+  /// nothing else.
+  virtual Status read(PlanRequest& request) = 0;
+  /// How the last reading came about.
+  virtual Consultation consultation() const = 0;
+};
+
+struct ModelReaderOptions {
+  /// Asked for at most, where an answer cannot be used or parts of it cannot be read.
+  int answers = 2;
+  int tokens = 8192;         ///< longest answer
+  bool no_fallback = false;  ///< fails without a reading of the model's, rules do not read then
+  /// True when the calls, tokens or money that were granted are spent: then it fails with limit.
+  std::function<bool()> budget_is_spent = {};
+};
+
+/// A reader that asks a language model once for each wish (docs/brief.schema.json). Where it has no
+/// usable answer rules read, and a note of the plan says so; a model that cannot be reached at all
+/// is an error. The model must outlive the reader.
+std::unique_ptr<Reader> make_model_reader(ChatModel& model, Prompts prompts,
+                                          const KindTable& categories,
+                                          ModelReaderOptions options = {});
+
+/// What was read in the prompt of a request, by rules unless a reader did, clause by clause:
+/// brief.json (docs/brief.schema.json).
+Result<Json> brief_json(const PlanRequest& request);
 
 /// Longest prompt that is read, in bytes.
 inline constexpr std::size_t max_prompt_bytes = 100'000;

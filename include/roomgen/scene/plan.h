@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -19,6 +20,10 @@
 
 namespace roomgen {
 
+namespace brief {
+struct SaidWish;
+}
+
 /// What a room shall become.
 struct PlanRequest {
   std::string prompt;
@@ -26,6 +31,9 @@ struct PlanRequest {
   std::optional<Vec2> size;   ///< inner width and depth in metres, whatever the prompt says
   std::optional<Room> room;   ///< a floor plan that is given; then `size` is not used
   CancelToken cancel;
+  /// What the prompt says, as a Reader (design/designer.h) read it; null, or of another prompt:
+  /// rules read it.
+  std::shared_ptr<const brief::SaidWish> said = {};
 };
 
 /// Objects of one kind that the room shall hold.

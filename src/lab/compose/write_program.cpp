@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "brief/prompt.h"
+#include "brief/said_wish.h"
 #include "brief/room_kinds.h"
 #include "brief/table_size.h"
 #include "compose_steps.h"
@@ -35,7 +35,7 @@ double area_of(const Room& room) { return area(room.polygon); }
 bool is_size_said(const PlanRequest& request) {
   const auto& kinds = brief::built_in_room_kinds();
   if (!kinds || request.size || request.room) return true;
-  const auto brief = brief::read_prompt(request.prompt, *kinds, KindTable::built_in());
+  const auto brief = brief::brief_of(request, *kinds, KindTable::built_in());
   return brief.size || brief.area;
 }
 
