@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t max_place_repairs = 40;
 constexpr std::size_t max_repair = 300;      ///< bytes
 constexpr std::size_t max_reasoning = 4000;  ///< bytes
-constexpr double least_side = 0.01, greatest_side = 50.0;  ///< metres
+constexpr double shortest = 0.01, longest = 50.0;  ///< metres
 
 // The keys that tell an answer from other objects in the text; then all their spellings.
 const WantedKeys place_keys = {{"constraints", "location", "leave_out"},
@@ -75,14 +75,14 @@ void read_amendments(const Json& json, PlaceAdvice& advice, ReplyNotes& notes) {
   if (out && out->is_string()) advice.leave_out = shortened(out->get<std::string>(), max_repair);
   if (out && *out == Json(true)) advice.leave_out = "as it says";
   if (const Json* bottom = member(json, {"bottom m", "bottom"}))
-    if (const auto height = brief::single_measure(*bottom)) advice.bottom = std::clamp(height->value, 0.0, greatest_side);
+    if (const auto height = brief::single_measure(*bottom)) advice.bottom = std::clamp(height->value, 0.0, longest);
   const Json* size = member(json, {"size cm", "size"});
   if (!size) return;
   const auto sides = brief::measures_in(*size);
   if (sides.size() != 3) return notes.repair("the answer's size is not three numbers");
   Vec3 said(sides[0].value, sides[1].value, sides[2].value);
   if (!sides[0].has_unit) said *= brief::centimetre;
-  advice.size = said.cwiseMax(least_side).cwiseMin(greatest_side);
+  advice.size = said.cwiseMax(shortest).cwiseMin(longest);
 }
 
 // {"move": [{"id": "sofa-0", "location": [x, y], "facing": 90}]}

@@ -137,11 +137,21 @@ std::string composition_lines(const std::string& room, const std::string& wish) 
   for (const auto& [name, one] : *known) by_readiness.push_back({plan::readiness(one, room, wish), &one});
   std::stable_sort(by_readiness.begin(), by_readiness.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<const Composition*> shown;
+  const auto show = [&](const Composition& one) {
+    if (std::find(shown.begin(), shown.end(), &one) == shown.end()) shown.push_back(&one);
+  };
+  for (std::size_t i = 0; i < by_readiness.size() && i < most_shown; ++i)
+    if (by_readiness[i].first > 0.0) show(*by_readiness[i].second);
+  // What they are made of is known too.
+  for (std::size_t i = 0; i < shown.size(); ++i)
+    for (const auto& part : shown[i]->parts)
+      if (const auto inner = known->find(part.composition); inner != known->end()) show(inner->second);
   std::string lines;
+  for (const auto* one : shown) lines += line_of(*one) + "\n";
   std::vector<std::string> others;
-  for (std::size_t i = 0; i < by_readiness.size(); ++i)
-    if (i < most_shown && by_readiness[i].first > 0.0) lines += line_of(*by_readiness[i].second) + "\n";
-    else others.push_back(by_readiness[i].second->name);
+  for (const auto& [name, one] : *known)
+    if (std::find(shown.begin(), shown.end(), &one) == shown.end()) others.push_back(name);
   return lines + "Others, by name: " + join(others, "; ") + "\n";
 }
 

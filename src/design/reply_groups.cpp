@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "brief/reply_measure.h"
 #include "chat/loose_json.h"
@@ -138,7 +139,7 @@ class GroupReader {
     is_wrapped_ = composition_ && (has_more || repeat);
     if (composition_ && !is_wrapped_) group_.composition = composition_->name;
     else if (!read_parts(repeat)) return std::nullopt;
-    if (composition_) name_leaves();
+    if (composition_) name_leaves(), name_without();
     group_.asked = true;
     return std::move(group_);
   }
@@ -193,7 +194,7 @@ class GroupReader {
         if (const Json* value = one.is_object() ? member(one, {"value"}) : nullptr) set(text_of(one, {"name"}), *value);
     if (const Json* without = member(json_, {"without"}); without && without->is_array())
       for (const auto& one : *without)
-        if (one.is_string()) group_.without.insert(one.get<std::string>());
+        if (one.is_string()) group_.without.insert(lower(one.get<std::string>()));
   }
 
   void set(const std::string& name, const Json& value) {
@@ -227,6 +228,18 @@ class GroupReader {
     for (const auto* draft : drafts_) look_alike(*draft);
   }
 
+  // A part by its own name, or all of a kind.
+  void name_without() {
+    std::set<std::string> named;
+    for (const auto& said : group_.without) {
+      const std::size_t before = named.size();
+      for (const auto& leaf : leaves_)
+        if (leaf.path == said || last_name(leaf.path) == said || leaf.kind == said) named.insert(part_of(leaf));
+      if (named.size() == before) note("without", "\"" + said + "\" is no part of \"" + composition_->name + "\"");
+    }
+    group_.without = std::move(named);
+  }
+
   std::string part_of(const Leaf& leaf) const { return is_wrapped_ ? unit_path(leaf) : leaf.path; }
 
   // Two parts for the chairs at two sides are of one kind: what is said of one holds for the other.
@@ -257,7 +270,7 @@ class GroupReader {
     for (auto* draft : drafts_)
       if (!leaf_of(*draft)) add_part(*draft, parts);
     if (parts.empty()) return note("things", "there are none"), false;
-    if (repeat) parts.front()["repeat"] = repeat_of(*repeat, parts.front()["part"]);
+    if (repeat) parts.front()["repeat"] = repeat_of(*repeat);
     const Json definition = {{"parts", parts}};
     if (const auto made = composition::read_composition(definition, group_.id, group_.id); !made)
       return note("things", made.error().message), false;
@@ -265,17 +278,18 @@ class GroupReader {
     return true;
   }
 
-  static Json repeat_of(const Json& said, const std::string& of) {
+  Json repeat_of(const Json& said) const {
     const auto count = [&](const std::vector<std::string>& names) {
       return std::clamp(std::round(number_of(said, names).value_or(1.0)), 1.0, 50.0);
     };
     Json repeat = {{"rows", count({"rows"})}, {"columns", count({"columns", "number"})}};
-    const auto pitch = [&](const char* key, const std::vector<std::string>& names, const std::string& side) {
+    const auto pitch = [&](const char* key, const std::vector<std::string>& names, const std::string& side, double alone) {
       const auto told = number_of(said, names);
-      repeat[key] = told ? Json(*told) : Json(of + side + " + 0.9");
+      repeat[key] = told ? Json(*told) : composition_ ? Json(unit + side + " + 0.9") : Json(alone + 0.9);
     };
-    pitch("across", {"across m", "across"}, "_w");
-    pitch("along", {"along m", "along"}, "_d");
+    const Vec3 size = composition_ ? Vec3(Vec3::Zero()) : drafts_.front()->item.size.value_or(kinds_.get(drafts_.front()->item.category).size);
+    pitch("across", {"across m", "across"}, "_w", size.x());
+    pitch("along", {"along m", "along"}, "_d", size.y());
     return repeat;
   }
 
@@ -313,13 +327,24 @@ class GroupReader {
     if (const auto gap = number_of(thing, {"gap m", "gap"}); gap && in_a_row) part["gap"] = *gap;
     else if (key == "around") part["gap"] = -0.1;
     if (const Json* at = member(thing, {"at m", "at"}); at && !in_a_row && at->is_array() && at->size() == 2) part["at"] = *at;
+    // Several share the thing below evenly.
     if (!in_a_row && count > 1 && said.before.empty())
-      part["repeat"] = {{"columns", count}, {"across", part["part"].get<std::string>() + "_w + 0.06"}};
+      part["repeat"] = {{"columns", count}, {"across", std::max(width_of(part["part"]) + 0.06, 0.8 * width_of(of) / count)}};
+    const Json* turned = member(thing, {"facing"});
+    const auto degrees_said = turned ? brief::single_measure(*turned) : std::nullopt;
+    if (degrees_said) part["yaw"] = degrees_said->value;
     const std::string facing = lower(text_of(thing, {"facing"}));
     const bool is_known = facing == "same" || facing == "opposite" || facing == "to" || facing == "away";
     const bool sits_before = in_a_row && key == "beside" && kinds_.is_a(part["kind"].get<std::string>(), "seat");
     if (is_known) part["facing"] = facing;
-    else if (sits_before) part["facing"] = "to";
+    else if (sits_before && !degrees_said) part["facing"] = "to";
+  }
+
+  // As far as the answer or the kind tells; 0 of a composition.
+  double width_of(const std::string& part) const {
+    for (const auto* draft : drafts_)
+      if (draft->item.part == part) return draft->item.size.value_or(kinds_.get(draft->item.category).size).x();
+    return 0.0;
   }
 
   // Which part is meant: by its name, the kind of thing, or one of the composition.

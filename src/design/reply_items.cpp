@@ -175,7 +175,7 @@ class ItemReader {
     item.varied = variance && (*variance == Json(true) || text_of(variance).starts_with("var") ||
                                text_of(variance).starts_with("diff"));
     read_size(value, item);
-    std::string on = read_mount(value, item);
+    std::string on = group_.empty() ? read_mount(value, item) : usual_mount(item);
     read_height(value, item);
     if (!group_.empty()) {
       item.group = group_, item.part = reply_part_name(value);
@@ -243,6 +243,12 @@ class ItemReader {
     item.mount = Mount::floor;
     item.tilt = {-lean, 0.0};
     item.relations.push_back({RelationKind::edge, ""});
+  }
+
+  // Of a thing of a group: where it is says its pattern.
+  std::string usual_mount(PlanItem& item) const {
+    item.mount = lexicon_.table.get(item.category).mount;
+    return "";
   }
 
   // Sets the mount; the answer is the name of what carries it.

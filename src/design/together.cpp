@@ -53,7 +53,9 @@ std::string group_text(const Plan& plan, const PlannedObject& planned) {
   std::vector<std::string> brings;
   for (const auto& [kind, count] : kinds)
     if (count > 0) brings.push_back(std::to_string(count) + " " + kind);
-  const Bounds2 box = composition::box_of(ways->front(), KindTable::built_in());
+  Bounds2 box = composition::box_of(ways->front(), KindTable::built_in());
+  const Vec2 half = 0.5 * ways->front().members.front().size.head<2>();
+  box.add(half), box.add(-half);
   const auto metres = [](double value) { return format_number(value, 2); };
   return "; it is the middle of a group and brings along " + join(brings, ", ") + ". Seen along its own front, the group reaches " +
          metres(-box.low.y()) + " m to the front of its middle, " + metres(box.high.y()) + " m behind it, " +

@@ -11,12 +11,13 @@ namespace roomgen {
 
 namespace {
 
-constexpr std::size_t most_operations = 30;  // of one round
+constexpr std::size_t most_operations = 60;  // of one round
 constexpr std::size_t longest_judgement = 2000;
 
 struct Judged {
   std::string judgement;
   std::vector<Json> operations;
+  std::size_t beyond = 0;  ///< of them, not taken
 };
 
 Result<Reading<Judged>> read_judged(const std::string& text) {
@@ -29,8 +30,7 @@ Result<Reading<Judged>> read_judged(const std::string& text) {
     reading.value.judgement = shortened(words->get<std::string>(), longest_judgement);
   for (const auto& one : *list)
     if (reading.value.operations.size() < most_operations) reading.value.operations.push_back(one);
-  if (list->size() > most_operations)
-    reading.repairs.push_back("only the first " + std::to_string(most_operations) + " operations were taken");
+  reading.value.beyond = list->size() - reading.value.operations.size();
   return reading;
 }
 
@@ -96,6 +96,9 @@ Result<std::vector<ReviewRound>> review(Session& session, const Reviewing& revie
     if (!answer) break;
     ReviewRound round{answer->judgement, {}, {}};
     carry_out(session, answer->operations, round);
+    if (answer->beyond > 0)
+      round.refused.push_back("the last " + std::to_string(answer->beyond) + " operations: an answer has " +
+                              std::to_string(most_operations) + " at most");
     const bool done = answer->operations.empty();
     rounds.push_back(std::move(round));
     if (done || reviewing.cancel.cancelled()) break;

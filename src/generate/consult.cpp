@@ -50,6 +50,8 @@ std::vector<std::string> elsewhere(const Work& work) {
   for (const auto& step : work.state.trace)
     if (!step.attempts.empty() && !step.attempts.back().answer.consultation.prompt_sha256.empty()) said.insert(step.planned.id);
   std::vector<std::string> told;
+  for (const auto& step : work.state.trace)
+    if (!step.reason.empty() && !work.layout().find(step.planned.id)) told.push_back(step.planned.id + " is not there: " + step.reason);
   for (const auto& task : work.state.tasks) {
     const Object* standing = work.layout().find(task.object.id);
     if (!standing || !task.location || said.count(task.object.id) == 0) continue;

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "roomgen/base/text.h"
+#include "library/attribute_words.h"
 #include "library/looks.h"
+#include "roomgen/base/text.h"
 
 namespace roomgen::plan {
 
@@ -62,8 +63,10 @@ std::string Looks::describe(const std::string& category, const std::string& vari
 }
 
 std::string Looks::in_style(const std::string& category, const std::string& description) const {
-  const WantedLooks said = wanted_looks(description);
-  if (!said.colors.empty() || !said.materials.empty()) return description;
+  const auto& table = AttributeWords::built_in();
+  for (const auto& phrase : table.phrases(words(description)))
+    if (const auto* meaning = table.find(phrase); meaning && (!meaning->colors.empty() || !meaning->materials.empty()))
+      return description;
   const auto* finish = finish_of(category, of_style_);
   if (!finish) return description;
   const std::string look = (adjective_.empty() ? "" : adjective_ + " ") + *finish + " ";

@@ -50,6 +50,7 @@ class ViewKeeper final : public Renderer {
     views.push_back(view);
     return Image(1, 1);
   }
+  Result<Image> sheet(const ContactSheet&, const ModelTable&) override { return Image(1, 1); }
   Result<Layers> layers(const Scene&, const ModelTable&, const Shot&) override { return Layers(); }
   Result<Visibility> visibility(const Scene&, const ModelTable&, const Camera&, std::size_t,
                                 std::size_t) override {
