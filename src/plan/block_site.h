@@ -9,7 +9,8 @@ namespace roomgen::plan {
 /// Where a block stands, and its focus: what its things look at or stand around, the screen of rows of seats, the
 /// fireplace of a half circle of armchairs.
 
-inline constexpr double before_audience = 1.2;  ///< metres for what is looked at
+inline constexpr double before_audience = 1.2;  ///< metres for what is looked at, at least
+inline constexpr double before_stage = 0.9;     ///< between it and who looks, where it stands on the floor
 inline constexpr double margin = 0.45;          ///< metres to the walls
 
 /// The part of the floor that is told, else all of it.

@@ -230,7 +230,7 @@ class Siting {
     const auto arranged = composition::arrange(composition_, site.values, making_);
     if (!arranged) return std::nullopt;
     const Bounds2 box = composition::box_of(*arranged, making_.kinds), floor = floor_of(block_.thing, room_);
-    const double before = foci_.empty() ? 0.0 : before_audience;
+    const double before = depth_of_foci();
     std::optional<double> least;
     for (std::size_t wall = 0; wall < room_.polygon.size(); ++wall) {
       const Vec2 forward = -room_.polygon.inward(wall);
@@ -246,6 +246,16 @@ class Siting {
       site.location = site.center - rotated(0.5 * (box.low + box.high), yaw);
     }
     return least ? std::optional(site) : std::nullopt;
+  }
+
+  // Of the floor between the block and the wall that it looks at, what they take.
+  double depth_of_foci() const {
+    double depth = foci_.empty() ? 0.0 : before_audience;
+    for (const std::size_t i : foci_) {
+      const PlanItem& item = drafts_[i].item;
+      if (item.mount == Mount::floor && item.size) depth = std::max(depth, item.size->y() + before_stage);
+    }
+    return depth;
   }
 
   // Whether there is much else that wants floor.

@@ -6,6 +6,7 @@
 #include "blocks.h"
 #include "brief/table_size.h"
 #include "composition/plan_groups.h"
+#include "gathering.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::plan {
@@ -297,9 +298,14 @@ Grouping::Floor Grouping::floor_of(std::vector<Draft> drafts, const brief::Brief
   plan.prompt = prompt;
   run(drafts, brief, plan);
   Floor floor;
+  double focus = 0.0;  // metres that what is looked at reaches into the room
   for (const auto& draft : drafts) {
-    if (draft.item.group.empty()) floor.area += floor_area(draft.item, kinds_);
-    plan.items.push_back(draft.item);
+    const PlanItem& item = draft.item;
+    if (item.group.empty()) floor.area += floor_area(item, kinds_);
+    const bool is_focus = item.group.empty() && item.mount == Mount::floor && item.size &&
+                          kinds_.is_any_of(item.category, usual_foci());
+    if (is_focus) focus = std::max(focus, item.size->y());
+    plan.items.push_back(item);
   }
   composition::complete_groups(plan, kinds_);
   for (const auto& group : plan.groups) {
@@ -308,7 +314,8 @@ Grouping::Floor Grouping::floor_of(std::vector<Draft> drafts, const brief::Brief
     const Vec2 box = composition::box_of(ways->front(), kinds_).size();
     floor.area += (box.array() + between_groups).prod();
     const bool is_block = !group.definition.empty() || ways->front().members.size() >= many;
-    const Vec2 with_way = box.array() + (is_block ? way_around : way_beside);
+    Vec2 with_way = box.array() + (is_block ? way_around : way_beside);
+    if (is_block) with_way.y() += focus;
     if (with_way.prod() > floor.largest.prod()) floor.largest = with_way;
   }
   return floor;
