@@ -14,7 +14,7 @@ constexpr double zone_tolerance = 0.02;
 }  // namespace
 
 bool blocks_floor(const Object& object, const Kind& category) {
-  if (category.covers_window || object.traits.flat || object.mount == Mount::surface) return false;
+  if (category.covers_window || category.foot > 0.0 || object.traits.flat || object.mount == Mount::surface) return false;
   if (object.mount == Mount::wall) return bottom(object) <= above_hips;
   return bottom(object) <= above_heads;
 }
@@ -31,7 +31,7 @@ std::vector<FloorThing> floor_things(std::span<const Object> objects,
 }
 
 bool tucks(const Kind& a, const Kind& b) {
-  return is_any_of(a, b.tucks_under) || is_any_of(b, a.tucks_under);
+  return a.foot > 0.0 || b.foot > 0.0 || is_any_of(a, b.tucks_under) || is_any_of(b, a.tucks_under);
 }
 
 bool blocks_zone(const FloorThing& other, const FloorThing& owner, const UseZone& zone,

@@ -20,10 +20,10 @@ std::vector<FloorThing> floor_things(std::span<const Object> objects,
                                      const KindTable& categories);
 
 /// Does the thing stand in the way of a person's feet or body? Not rugs, things on tables, lamps on
-/// the ceiling, pictures on the wall and curtains, which give way.
+/// the ceiling, pictures on the wall and curtains, which give way, nor a parasol, which hangs above.
 bool blocks_floor(const Object& object, const Kind& category);
 
-/// May one slide under the other (a chair, a table) when their meshes allow it?
+/// May one slide under the other (a chair, a table, all a parasol) when their meshes allow it?
 bool tucks(const Kind& a, const Kind& b);
 
 /// Does the other thing stand in `area`, the zone's footprint, where it must not?

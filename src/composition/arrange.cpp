@@ -40,6 +40,7 @@ struct Instance {
   Place place;  ///< of the middle of its box
   Vec3 size = Vec3::Ones();
   std::size_t member = 0;  ///< the first of its members
+  int unit = -1;           ///< of the anchor's copies the one that it is at
   bool round = false;
 };
 
@@ -305,7 +306,9 @@ class Arranging {
   // The things of a part, in the frame of the middle of their box, as one more instance of it.
   void put(const Part& part, const Arranged& unit, Instance instance, const Instance* reference) {
     const std::size_t first = instance.member = arranged_.members.size();
-    const int own_unit = part.kind.empty() ? units_++ : -1;
+    // A copy of the anchor is one as well, with all that is at it.
+    if (!part.kind.empty()) instance.unit = reference ? reference->unit : part.repeat ? units_++ : -1;
+    const int own_unit = part.kind.empty() ? units_++ : instance.unit;
     for (Member member : unit.members) {
       member.unit = own_unit;
       member.place = within(instance.place, member.place);
@@ -396,9 +399,10 @@ Arranged mirrored(Arranged arranged) {
 
 Bounds2 box_of(const Arranged& arranged, const KindTable& kinds) {
   Bounds2 box;
+  const bool are_flat = kinds.get(arranged.members.front().category).traits.flat;
   for (const auto& member : arranged.members) {
     const Kind& kind = kinds.get(member.category);
-    if (member.mount != Mount::floor || kind.traits.flat) continue;
+    if (member.mount != Mount::floor || (kind.traits.flat && !are_flat)) continue;
     const Footprint own(member.place.position, member.size.head<2>(), member.place.yaw,
                         kind.traits.round);
     for (const Vec2& corner : own.outline()) box.add(corner);

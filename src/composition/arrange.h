@@ -23,7 +23,7 @@ struct Member {
   std::optional<double> height;  ///< of what hangs: metres from the floor to its middle
   bool varied = false;
   int spare = 0;
-  int unit = -1;  ///< which of the groups within the group it belongs to; -1: none
+  int unit = -1;  ///< which of the groups within the group, or of the copies of its anchor, it belongs to; -1: none
 };
 
 /// A group with its numbers put in. The first member is the anchor, at the origin.
@@ -58,7 +58,7 @@ std::vector<Arranged> units_of(const Arranged& arranged);
 /// Its mirror image: left and right change places.
 Arranged mirrored(Arranged arranged);
 
-/// The box of what stands on the floor, in the anchor's frame; flat things do not count.
+/// The box of what stands on the floor, in the anchor's frame; flat things count where the anchor is one.
 Bounds2 box_of(const Arranged& arranged, const KindTable& kinds);
 
 inline constexpr std::size_t most_alternatives = 48;

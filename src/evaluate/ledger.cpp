@@ -327,8 +327,18 @@ class Checker {
     // Alignment depends on what else is asked of the same target.
     std::erase_if(asked.relations, [&](const Relation& other) { return other.target != target; });
     asked.relations.push_back(relation);
-    const auto resolved = resolve(asked, scene_.room, scene_.objects, categories_);
-    return judge(resolved.back(), {footprint(object), bottom(object), top(object)}, scene_.room).held;
+    const auto is_so = [&] {
+      const auto resolved = resolve(asked, scene_.room, scene_.objects, categories_);
+      return judge(resolved.back(), {footprint(object), bottom(object), top(object)}, scene_.room).held;
+    };
+    if (is_so()) return true;
+    // Before and behind a desk is as its user sits, or as one who comes to it stands.
+    const Object* other = find_object(scene_, target);
+    RelationKind& kind = asked.relations.back().kind;
+    if (!other || categories_.get(other->category).faces != Side::back) return false;
+    if (kind != RelationKind::behind && kind != RelationKind::in_front_of) return false;
+    kind = kind == RelationKind::behind ? RelationKind::in_front_of : RelationKind::behind;
+    return is_so();
   }
 
   std::string denial_fault(const Requirement& requirement, const Object& object) const {

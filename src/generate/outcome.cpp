@@ -110,7 +110,7 @@ void tell_change(const Object& before, Generation& result) {
   const double moved = (rug->position - before.position).head<2>().norm();
   const bool is_cut = (rug->size - before.size).cwiseAbs().maxCoeff() > unseen;
   if (moved > unseen || is_cut)
-    result.notes.push_back(rug->id + " was moved by " + format_number(moved, 2) + " m and is " +
+    result.notes.push_back(rug->id + (moved > unseen ? " was moved by " + format_number(moved, 2) + " m and is " : " is ") +
                            size_text(rug->size) + " m, so that nothing stands on its edge");
 }
 
@@ -196,13 +196,14 @@ void tell_what_was_not_followed(const BuildState& state, Generation& result) {
       if (attempt.refused.empty() && !attempt.objections.empty())
         result.notes.push_back(id + " is not all as it was said: " + join(attempt.objections, "; "));
   }
+  constexpr double least_told = 0.005;  // metres
   std::vector<Move> moves;
   for (const auto& step : state.trace) add_moves(step.moved, moves);
   add_moves(state.moved, moves);
   std::set<std::string> moved;
   for (const auto& move : moves)
     for (const auto& task : state.tasks)
-      if (is_of_somebody(task) && task.object.id == move.object && moved.insert(move.object).second)
+      if (is_of_somebody(task) && task.object.id == move.object && move.distance() >= least_told && moved.insert(move.object).second)
         result.notes.push_back(move.object + " was moved by " + format_number(move.distance(), 2) +
                                " m after it was placed, for what was asked for");
   tell_what_stands_elsewhere(state, moved, result);

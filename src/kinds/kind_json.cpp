@@ -126,6 +126,7 @@ void read_kind(const JsonReader& json, Kind& kind) {
   json.allow_only({"is",       "names",         "loose_names", "resembles",  "size",
                    "mount",    "also",          "elevation",   "traits",     "faces",
                    "supports", "covers_window", "zones",       "gaps",       "tucks_under",
+                   "foot",
                    "lamp",     "forms",         "variant",     "stocked_as", "built_as",
                    "serves",   "usual",         "substitutes", "hyponyms",   "stands_for",
                    "source"});
@@ -143,6 +144,7 @@ void read_kind(const JsonReader& json, Kind& kind) {
   if (json["faces"].exists()) kind.faces = read_side(json["faces"]);
   kind.supports = json["supports"].boolean_or(false);
   kind.covers_window = json["covers_window"].boolean_or(kind.covers_window);
+  kind.foot = json["foot"].number_or(kind.foot, 0, 5);
   read_use(json, kind);
   read_lamp(json["lamp"], kind);
   read_forms(json["forms"], kind.forms);

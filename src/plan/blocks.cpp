@@ -13,7 +13,10 @@ namespace roomgen::plan {
 
 namespace {
 
-constexpr double least_behind = 0.5, behind_seats = 0.75, least_beside = 0.1, in_one_row = 0.02;  ///< metres between things
+constexpr double least_behind = 0.55, behind_seats = 0.75, least_beside = 0.1, in_one_row = 0.02;  ///< metres between things
+constexpr double behind_one = 0.9, behind_sitter = 0.45;  ///< metres to what is behind a thing, or behind who sits at it
+constexpr double drawn_up = 0.1;                          ///< metres that who sits at a table is under it
+constexpr double least_at_wall = 0.3, usual_at_wall = 0.6;  ///< metres between those who sit before a wall
 constexpr double around_focus = 0.35;   ///< metres between what stands in the middle and those around it
 constexpr double free_middle = 0.5;     ///< metres from the middle to the fronts around it, where nothing stands there
 constexpr double view = 1.4;            ///< metres between those in an arc and what they look at
@@ -35,8 +38,24 @@ nlohmann::json unit_of(const FormedBlock& block) {
   return unit;
 }
 
+// At its left or right: what is told so; and of what is only near, all that no seat is in the way of.
+bool stands_beside(const FormedBlock& block, const Draft& companion, const KindTable& kinds) {
+  const auto is_told = [](const brief::Demand& demand) {
+    return demand.flank || demand.kind == RelationKind::left_of || demand.kind == RelationKind::right_of;
+  };
+  const auto is_near = [](const brief::Demand& demand) {
+    return demand.kind == RelationKind::near || demand.kind == RelationKind::next_to || demand.kind == RelationKind::side_of;
+  };
+  const auto& category = companion.item.category;
+  const bool is_free_there = block.count == 1 || !kinds.is_a(block.thing.item.category, "table");
+  return std::any_of(companion.demands.begin(), companion.demands.end(), is_told) ||
+         (is_free_there && !kinds.is_a(category, "seat") && kinds.get(category).foot == 0.0 &&
+          std::all_of(companion.demands.begin(), companion.demands.end(), is_near));
+}
+
 // What is told of its place at the thing; what is only near stands off a corner, where no seat is.
-nlohmann::json part_of_companion(const Draft& companion, std::size_t number, const KindTable& kinds) {
+nlohmann::json part_of_companion(const FormedBlock& block, std::size_t number, const KindTable& kinds) {
+  const Draft& companion = block.companions[number];
   const PlanItem& item = companion.item;
   nlohmann::json part{{"part", item.part}, {"kind", item.category}, {"count", item.quantity}};
   const bool sits = kinds.is_a(item.category, "seat");
@@ -44,8 +63,13 @@ nlohmann::json part_of_companion(const Draft& companion, std::size_t number, con
     part["beside"] = block_unit, part["side"] = side, part["facing"] = facing, part["gap"] = gap;
     return part;
   };
+  const auto at_side = [&](const char* side) {
+    beside(side, "same", sits ? 0.15 : 0.05);
+    part["beside"] = block.anchor, part["align"] = "back";
+    return part;
+  };
   const auto around = [&] {
-    part["around"] = block_unit, part["gap"] = -0.1;
+    part["around"] = block.anchor, part["gap"] = -drawn_up;
     return part;
   };
   for (const auto& demand : companion.demands) {
@@ -61,18 +85,21 @@ nlohmann::json part_of_companion(const Draft& companion, std::size_t number, con
       case RelationKind::behind:
         return beside("back", sits ? "to" : "same", sits ? 0.05 : 0.1);
       case RelationKind::left_of:
-        return beside("left", "same", 0.05);
+        return at_side("left");
       case RelationKind::right_of:
-        return beside("right", "same", 0.05);
+        return at_side("right");
       default:
         break;
     }
   }
   if (sits) return around();
+  if (stands_beside(block, companion, kinds)) return at_side(number % 2 ? "right" : "left");
   part["of"] = block_unit;
   const char* turn[] = {"", "-1 * ", "", "-1 * "};
+  const double foot = kinds.get(item.category).foot;
   const auto off = [&](const char* sign, const std::string& side) {
-    return sign + ("(unit_" + side + " / 2 + " + item.part + "_" + side + " / 2)");
+    const std::string own = foot > 0.0 ? metres(foot) : item.part + "_" + side;
+    return sign + ("(unit_" + side + " / 2 + " + own + " / 2)");
   };
   part["at"] = {off(turn[number % 4], "w"), off(turn[number / 2 % 4], "d")};
   part.erase("count");
@@ -81,7 +108,23 @@ nlohmann::json part_of_companion(const Draft& companion, std::size_t number, con
 
 void add_companions(const FormedBlock& block, const KindTable& kinds, nlohmann::json& parts) {
   for (std::size_t i = 0; i < block.companions.size(); ++i)
-    parts.push_back(part_of_companion(block.companions[i], i, kinds));
+    parts.push_back(part_of_companion(block, i, kinds));
+}
+
+nlohmann::json one_of(const FormedBlock& block, const KindTable& kinds) {
+  auto unit = unit_of(block);
+  auto parts = nlohmann::json::array();
+  if (!block.behind.empty()) {
+    parts.push_back({{"part", block_behind}, {"kind", block.behind}});
+    unit["beside"] = block_behind, unit["side"] = "front", unit["facing"] = block.looks_over ? "to" : "same";
+    double gap = block.composition.empty() || !block.looks_over ? behind_one : behind_sitter;
+    for (const auto& zone : kinds.get(block.behind).zones)
+      if (zone.side == Side::front) gap = std::max(gap, zone.depth + in_one_row);
+    unit["gap"] = gap;
+  }
+  parts.push_back(std::move(unit));
+  add_companions(block, kinds, parts);
+  return {{"parts", parts}, {"mirrors", true}};
 }
 
 nlohmann::json open_parameter() {
@@ -93,23 +136,41 @@ std::string pitch(const std::string& unit, double least, double usual, double wi
   return unit + " + max(" + metres(least) + ", open * max(" + metres(usual) + ", " + metres(with_reserve) + " - " + unit + "))";
 }
 
+// Metres that what is at each thing needs between two of them, across and along.
+Vec2 taken_by_companions(const FormedBlock& block, const KindTable& kinds) {
+  Vec2 taken = Vec2::Zero();
+  const bool is_round = kinds.get(block.thing.item.category).traits.round;
+  for (const auto& companion : block.companions) {
+    const int count = companion.item.quantity;
+    if (stands_beside(block, companion, kinds)) taken.x() += count * companion.item.size->x();
+    if (!kinds.is_a(companion.item.category, "seat")) continue;
+    const double out = companion.item.size->y() - drawn_up;
+    if (count > (is_round ? 2 : 4)) taken.x() = 2.0 * out;
+    taken.y() = (count > 1 ? 2.0 : 1.0) * out;
+  }
+  return taken;
+}
+
 nlohmann::json rows_of(const FormedBlock& block, const KindTable& kinds, const Arrangements& arrangements) {
   const PlanItem& item = block.thing.item;
   const auto& reserve = arrangements.get(kinds, item.category, item.mount).reserve;
   const auto open = [&](Side one, Side other) {
     return reserve[static_cast<std::size_t>(one)] + reserve[static_cast<std::size_t>(other)];
   };
-  const double beside = block.formation.rows == 1 ? in_one_row : least_beside;
+  const bool hangs = item.mount == Mount::wall;
+  const double beside = hangs ? least_at_wall : block.formation.rows == 1 ? in_one_row : least_beside;
+  const double usual = hangs ? usual_at_wall : beside;
   // Behind who sits at something one passes.
   const bool has_seats = !block.composition.empty() || !block.companions.empty();
   const double behind = has_seats ? behind_seats : least_behind;
   auto unit = unit_of(block);
   const auto count = static_cast<double>(block.count);
+  const Vec2 taken = taken_by_companions(block, kinds);
   unit["repeat"] = {{"rows", "ceil(" + metres(count) + " / columns)"},
                     {"columns", "columns"},
                     {"number", count},
-                    {"across", pitch("unit_w", beside, beside, item.size->x() + open(Side::left, Side::right))},
-                    {"along", pitch("unit_d", least_behind, behind, item.size->y() + open(Side::front, Side::back))}};
+                    {"across", pitch("unit_w", beside + taken.x(), usual + taken.x(), item.size->x() + open(Side::left, Side::right))},
+                    {"along", pitch("unit_d", least_behind + taken.y(), behind + taken.y(), item.size->y() + open(Side::front, Side::back))}};
   const double columns = static_cast<double>(columns_of(block.formation, static_cast<std::size_t>(block.count)));
   const nlohmann::json across = {{"default", columns}, {"least", 1}, {"most", count}};
   auto parts = nlohmann::json::array({unit});
@@ -157,7 +218,7 @@ nlohmann::json islands_of(const FormedBlock& block) {
                         {"columns", "columns"},
                         {"number", islands},
                         {"across", metres(in_line) + " * unit_w + max(0.6, open * " + metres(between_islands) + ")"},
-                        {"along", metres(places > 1 ? 2 : 1) + " * unit_d + max(0.5, open * " + metres(between_islands) + ")"}};
+                        {"along", metres(places > 1 ? 2 : 1) + " * unit_d + max(0.55, open * " + metres(between_islands) + ")"}};
     } else if (place < in_line) {
       unit["beside"] = unit_name(place - 1), unit["side"] = "left", unit["gap"] = 0.005;
     } else {
@@ -285,6 +346,7 @@ class Siting {
 }  // namespace
 
 std::string definition_of(const FormedBlock& block, const KindTable& kinds, const Arrangements& arrangements) {
+  if (block.count == 1) return one_of(block, kinds).dump();
   if (block.formation.shape == brief::Formation::Shape::islands) return islands_of(block).dump();
   if (block.formation.is_round()) return ring_of(block, kinds).dump();
   return rows_of(block, kinds, arrangements).dump();
@@ -293,7 +355,7 @@ std::string definition_of(const FormedBlock& block, const KindTable& kinds, cons
 void stand_in_room(const FormedBlock& block, const KindTable& kinds, const Room& room, std::vector<Draft>& drafts,
                    PlanGroup& group) {
   const bool is_circle = block.formation.shape == brief::Formation::Shape::circle;
-  if (is_circle || block.has_focus || block.formation.rows == 1) return;
+  if (is_circle || block.has_focus || block.count == 1 || block.formation.rows == 1) return;
   const auto json = parse_json(group.definition, group.id);
   const auto composition = composition::read_composition(*json, group.id, group.id);
   composition::Making making{*composition::built_in_compositions(), kinds};
@@ -315,8 +377,12 @@ void stand_in_room(const FormedBlock& block, const KindTable& kinds, const Room&
 bool is_place_at(RelationKind kind) {
   using enum RelationKind;
   static const std::set<RelationKind> kinds = {near,   next_to, around,   side_of, in_front_of,
-                                               behind, left_of, right_of, face_to, on};
+                                               behind, left_of, right_of, face_to, on, above};
   return kinds.count(kind) > 0;
+}
+
+bool is_place_at_side(RelationKind kind) {
+  return is_place_at(kind) && kind != RelationKind::near && kind != RelationKind::face_to && kind != RelationKind::on;
 }
 
 int places_of(const FormedBlock& block) {
@@ -326,7 +392,8 @@ int places_of(const FormedBlock& block) {
 
 std::string unit_name(int place) { return block_unit + (place == 0 ? "" : std::to_string(place)); }
 
-std::vector<std::size_t> told_companions(const Draft& thing, int count, const std::vector<Draft>& drafts) {
+std::vector<std::size_t> told_companions(const Draft& thing, int count, const std::vector<Draft>& drafts,
+                                         const KindTable& kinds) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < drafts.size(); ++i) {
     const Draft& one = drafts[i];
@@ -337,7 +404,8 @@ std::vector<std::size_t> told_companions(const Draft& thing, int count, const st
     });
     // What is larger finds its own place near by.
     constexpr double largest = 1.2;
-    const bool is_small = one.item.size && one.item.size->head<2>().maxCoeff() < largest;
+    const bool is_small = kinds.get(one.item.category).foot > 0.0 ||
+                          (one.item.size && one.item.size->head<2>().maxCoeff() < largest);
     if (is_told && is_small && thing.mention != brief::Demand::none) found.push_back(i);
   }
   return found;

@@ -56,7 +56,7 @@ bool Fitting::is_told_within(const Draft& draft, const PartCounts& counts, const
            std::any_of(drafts.begin(), drafts.end(), [&](const Draft& other) {
              return other.mention == demand.mention && is_free(other) &&
                     std::any_of(counts.begin(), counts.end(), [&](const PartCount& part) {
-                      return part.mount == Mount::floor && is_kin(other.item.category, part.kind);
+                      return is_kin(other.item.category, part.kind);
                     });
            });
   };
@@ -76,8 +76,9 @@ bool Fitting::belongs(const Draft& draft, const PartCount& part) const {
 }
 
 bool Fitting::is_plain_word_for(const Draft& draft, const std::string& kind) const {
-  static const std::set<std::string, std::less<>> plain = {"chair", "stool", "lamp"};
-  return plain.count(draft.item.category) > 0 && kinds_.is_a(kind, draft.item.category);
+  static const std::set<std::string, std::less<>> plain = {"chair", "stool", "bench", "lamp"};
+  const std::string& word = draft.item.category;
+  return plain.count(word) > 0 && (kinds_.is_a(kind, word) || kind.ends_with(" " + word));
 }
 
 // "table" is as good as a dining table, which people mean by it.
@@ -95,7 +96,7 @@ std::vector<int> Fitting::shares(const PartCounts& counts, const std::vector<Dra
     if (is_free(draft) && draft.item.category == drafts[anchor].item.category)
       anchors += draft.item.quantity;
   for (const auto& one : counts)
-    if (one.mount == Mount::floor && kinds_.is_a(one.kind, counts.front().kind))
+    if (is_placed_with_anchor(one.mount) && kinds_.is_a(one.kind, counts.front().kind))
       anchors_here += one.count;
   std::vector<int> shares;
   for (const auto& draft : drafts) {
@@ -174,7 +175,7 @@ Fit Fitting::fit(const Composition& composition, const std::vector<Draft>& draft
 bool Fitting::is_unit(const Fit& fit, const std::string& category) const {
   int things = 0;
   for (const auto& part : fit.counts)
-    if (part.mount == Mount::floor && is_kin(category, part.kind)) things += part.count;
+    if (is_placed_with_anchor(part.mount) && is_kin(category, part.kind)) things += part.count;
   return things == 1;
 }
 

@@ -16,6 +16,7 @@ namespace {
 constexpr double way_beside = 0.9, way_around = 2.2;  ///< metres of a room beside a group, around a block
 constexpr std::size_t many = 24;                      ///< things of a group that one walks around
 constexpr double between_groups = 0.7;                ///< metres of floor between them
+constexpr double without_composition = 0.8;           ///< what one told thing is worth: a good composition outweighs it
 
 // A thing of a draft, and the rest of it.
 Draft split_off(Draft& draft, int quantity, const std::string& group, const std::string& part) {
@@ -88,7 +89,8 @@ class Gatherer {
     if (best.gain <= 0.0) return false;
     const Draft thing = drafts_[anchor];
     const bool is_told_whole = best.gain <= told_gain(thing);
-    if (is_told_whole || (stands_in_rows(thing) && fitting_.is_unit(best, thing.item.category)))
+    const bool are_many = stands_in_rows(thing) || (thing.item.quantity > 1 && thing.item.mount == Mount::wall);
+    if (is_told_whole || (are_many && fitting_.is_unit(best, thing.item.category)) || has_more_told(best, anchor))
       make_block(thing, best, anchor);
     else
       make_group(best, anchor);
@@ -100,9 +102,13 @@ class Gatherer {
   std::pair<Fit, std::size_t> best_fit(const FitRequest& request, Test may_be_anchor) {
     std::pair<Fit, std::size_t> best;
     for (std::size_t i = 0; i < drafts_.size(); ++i) {
-      if (!is_free(drafts_[i]) || drafts_[i].item.mount != Mount::floor || !may_be_anchor(i)) continue;
+      const bool may_stand = drafts_[i].item.mount == Mount::floor || drafts_[i].item.mount == Mount::wall;
+      if (!is_free(drafts_[i]) || !may_stand || !may_be_anchor(i)) continue;
       Fit found = fitting_.best(drafts_, i, request);
+      if (drafts_[i].item.quantity > 1 && leaves_told_seats(found, i)) found = {};
+      if (!found.composition && drafts_[i].item.mount == Mount::wall) continue;
       if (request.unit_of.empty()) found.gain = std::max(found.gain, told_gain(drafts_[i]));
+      if (request.unit_of.empty() && backing(drafts_[i])) found.gain += without_composition;
       if (found.gain > best.first.gain + 1e-9) best = {std::move(found), i};
     }
     return best;
@@ -110,12 +116,49 @@ class Gatherer {
 
   // What the words alone put at each of its things.
   double told_gain(const Draft& thing) const {
-    constexpr double without_composition = 0.8;  // which a good composition outweighs
     const int count = thing.item.quantity;
     double gain = 0.0;
-    for (const std::size_t i : told_companions(thing, count, drafts_))
+    for (const std::size_t i : told_companions(thing, count, drafts_, kinds_))
       if (count > 1 || kinds_.is_a(drafts_[i].item.category, "seat")) gain += drafts_[i].item.quantity / count;
     return without_composition * gain;
+  }
+
+  // What is told to stand behind a thing, whose user has it at the back: the thing stands before it.
+  std::optional<std::size_t> backing(const Draft& thing) const {
+    if (thing.item.quantity != 1 || !kinds_.is_any_of(thing.item.category, {"table", "seat"})) return std::nullopt;
+    for (std::size_t i = 0; i < drafts_.size(); ++i)
+      if (is_free(drafts_[i]) && drafts_[i].item.quantity == 1 && drafts_[i].item.mount == Mount::floor)
+        for (const auto& demand : drafts_[i].demands)
+          if (demand.said == RelationKind::behind && demand.said_of == thing.mention) return i;
+    return std::nullopt;
+  }
+
+  // At each of so many; at one seats, and what is told at which side of it: for the rest there is more than one good place.
+  std::vector<std::size_t> companions(const Draft& thing) const {
+    auto found = told_companions(thing, thing.item.quantity, drafts_, kinds_);
+    if (thing.item.quantity == 1)
+      std::erase_if(found, [&](std::size_t i) {
+        return !kinds_.is_a(drafts_[i].item.category, "seat") &&
+               std::any_of(drafts_[i].demands.begin(), drafts_[i].demands.end(),
+                           [](const brief::Demand& demand) { return !is_place_at_side(demand.kind); });
+      });
+    return found;
+  }
+
+  // Beyond what the composition takes.
+  std::vector<std::size_t> left_told(const Fit& fit, std::size_t anchor) const {
+    auto told = companions(drafts_[anchor]);
+    const auto uses = fit.composition ? fitting_.uses(fit, drafts_, anchor) : std::vector<PartUse>();
+    for (const auto& use : uses) std::erase(told, use.draft);
+    return told;
+  }
+  bool has_more_told(const Fit& fit, std::size_t anchor) const {
+    return drafts_[anchor].item.quantity == 1 && (backing(drafts_[anchor]) || !left_told(fit, anchor).empty());
+  }
+  // Who is told to sit there sits at none of its places.
+  bool leaves_told_seats(const Fit& fit, std::size_t anchor) const {
+    const auto left = left_told(fit, anchor);
+    return std::any_of(left.begin(), left.end(), [&](std::size_t i) { return kinds_.is_a(drafts_[i].item.category, "seat"); });
   }
 
   // Who is told to be at a table is no middle of another group.
@@ -155,7 +198,7 @@ class Gatherer {
   void mean(Draft& draft, const PartCount& part) const {
     const Vec3 usual = kinds_.get(part.kind).size;
     if (fitting_.is_plain_word_for(draft, part.kind) && !fitting_.is_kin(draft.item.category, part.kind)) {
-      draft.item.category = part.kind;
+      if (kinds_.is_a(part.kind, draft.item.category)) draft.item.category = part.kind;
       if (!draft.sized) draft.item.size = usual;
     }
     if (!draft.sized && (part.size - usual).norm() > 1e-6) draft.item.size = part.size;
@@ -203,17 +246,22 @@ class Gatherer {
   // of a desk. Or with what the words put there.
   void make_block(const Draft& thing, Fit fit, std::size_t anchor) {
     if (told_gain(thing) >= fit.gain) fit = {};
-    const int count = thing.item.quantity, rows = count == 1 ? 1 : 0;
-    FormedBlock block{thing.formation.value_or(brief::Formation{.rows = rows, .columns = rows}), count, thing};
+    const int count = thing.item.quantity, rows = thing.item.mount == Mount::wall ? 1 : 0;
+    FormedBlock block{thing.formation.value_or(brief::Formation{.rows = rows}), count, thing};
     block.looks_over = kinds_.is_a(drafts_[anchor].item.category, "table");
-    if (fit.composition) block.composition = fit.composition->name, block.with = fit.values;
     PlanGroup group;
+    if (fit.composition) {
+      block.composition = fit.composition->name, block.with = fit.values;
+      if (count == 1) block.anchor += "/" + fit.counts.front().part;
+      if (count == 1 || rows == 1) group.composition = block.composition;
+    }
     const char* shape = count == 1 ? "" : block.formation.is_round() ? "ring of " : "rows of ";
     block.group = group.id = id_for(shape + thing.item.category);
     group.asked = thing.item.asked;
     const bool is_counted = block.formation.rows > 0 || block.formation.columns > 0;
     if (is_counted && !block.formation.is_round()) group.fixed.insert("columns");
     take_focus(block);
+    if (const auto behind = backing(thing)) take_behind(*behind, block, group);
     take_units(block, fit, anchor, group);
     take_companions(block);
     group.definition = definition_of(block, kinds_, arrangements_);
@@ -228,6 +276,24 @@ class Gatherer {
       if (!drafts_[i].demands.empty() || drafts_[i].item.mount != Mount::floor || block.has_focus) continue;
       block.has_focus = true, block.focus_kind = drafts_[i].item.category;
       drafts_[i].item.group = block.group, drafts_[i].item.part = block_focus;
+    }
+  }
+
+  // Where the thing shall look, looks the front of what is behind it.
+  void take_behind(std::size_t behind, FormedBlock& block, PlanGroup& group) {
+    Draft& draft = drafts_[behind];
+    draft.item.group = block.group, draft.item.part = block_behind;
+    block.behind = draft.item.category;
+    group.composition.clear();
+    for (auto& one : drafts_)
+      if (one.mention == block.thing.mention && is_free(one) && block.looks_over)
+        std::erase_if(one.demands, [&](const brief::Demand& demand) {
+          return demand.kind == RelationKind::face_same_as && demand.mention == draft.mention;
+        });
+    for (const auto& demand : block.thing.demands) {
+      if (!is_looking_at(demand.kind) || demand.mention != brief::Demand::none) continue;
+      draft.demands.push_back(demand);
+      draft.demands.back().kind = RelationKind::face_to, draft.demands.back().is_means = true;
     }
   }
 
@@ -249,7 +315,7 @@ class Gatherer {
 
   void take_companions(FormedBlock& block) {
     if (places_of(block) > 1) return;
-    for (const std::size_t i : told_companions(block.thing, block.count, drafts_)) {
+    for (const std::size_t i : companions(block.thing)) {
       drafts_[i].item.group = block.group, drafts_[i].item.part = "at" + std::to_string(block.companions.size());
       block.companions.push_back(drafts_[i]);
       Draft& companion = block.companions.back();

@@ -378,7 +378,8 @@ void one_for_each_window(std::vector<Draft>& drafts, const brief::Brief& brief, 
 
 double floor_area(const PlanItem& item, const KindTable& table) {
   if (item.mount != Mount::floor || table.get(item.category).traits.flat || !item.size) return 0.0;
-  return item.quantity * item.size->x() * item.size->y();
+  const double foot = table.get(item.category).foot;
+  return item.quantity * (foot > 0.0 ? foot * foot : item.size->x() * item.size->y());
 }
 
 double floor_area(const std::vector<Draft>& drafts, const KindTable& table) {

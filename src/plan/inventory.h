@@ -20,6 +20,7 @@ struct Draft {
   std::size_t mention =
       brief::Demand::none;  ///< index into Brief::mentions, none for what was added
   std::size_t part_of = brief::Demand::none;  ///< the mention of which these are some
+  std::optional<std::size_t> origin;  ///< of what is in order: which draft it was before; none: a group added it
   std::vector<brief::Demand> demands;
   std::optional<brief::Formation> formation;  ///< of its things
   int seats = 0;      ///< of a table: for so many people; 0: not said

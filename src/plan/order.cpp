@@ -59,6 +59,12 @@ std::vector<int> stages_of(const std::vector<Draft>& drafts, const KindTable& ta
                            const Arrangements& arrangements) {
   std::vector<int> stages;
   for (const auto& draft : drafts) stages.push_back(own_stage(draft, table, arrangements));
+  // Places at a wall, of those who sit before what hangs there, need floor as blocks do.
+  for (std::size_t i = 0; i < drafts.size(); ++i)
+    for (const auto& other : drafts)
+      if (drafts[i].item.mount == Mount::wall && !drafts[i].item.group.empty() &&
+          other.item.group == drafts[i].item.group && other.item.mount == Mount::floor && waits_for(other, drafts[i]))
+        stages[i] = 0;
   for (bool changed = true; changed;) {
     changed = false;
     for (std::size_t i = 0; i < drafts.size(); ++i)

@@ -35,6 +35,7 @@ constexpr std::size_t most_corners = 64;  ///< of a room in which plans are trie
 /// One plan and what was wrong with it.
 struct Attempt {
   Plan plan;
+  std::vector<Draft> wanted;          ///< before they were put in groups and in order
   std::vector<Draft> drafts;          ///< of plan.items
   std::vector<PlannedObject> missed;  ///< found no place
   double fault = 0.0;
@@ -203,7 +204,7 @@ class Planner {
     // Of a room that is no rectangle, one of its area.
     const Vec2 usable(box.x(), area(plan.room.polygon) / box.x());
     complete(drafts, brief_, kinds_, kind_, usable, table_, looks, random.fork("contents"));
-    result.drafts = std::move(drafts);
+    result.wanted = std::move(drafts);
     set_in_order(result);
     judge(result, bar);
     return result;
@@ -257,8 +258,9 @@ class Planner {
   // Drops what found no place and was not asked for.
   void leave_out(Attempt& attempt) const {
     for (const auto& object : attempt.missed)
-      if (!attempt.plan.items[object.item].asked) --attempt.drafts[object.item].item.quantity;
-    std::erase_if(attempt.drafts, [](const Draft& draft) { return draft.item.quantity < 1; });
+      if (const auto origin = attempt.drafts[object.item].origin; origin && !attempt.plan.items[object.item].asked)
+        --attempt.wanted[*origin].item.quantity;
+    std::erase_if(attempt.wanted, [](const Draft& draft) { return draft.item.quantity < 1; });
     set_in_order(attempt);
   }
 
@@ -266,6 +268,8 @@ class Planner {
   void set_in_order(Attempt& attempt) const {
     Plan& plan = attempt.plan;
     plan.items.clear();
+    attempt.drafts = attempt.wanted;
+    for (std::size_t i = 0; i < attempt.drafts.size(); ++i) attempt.drafts[i].origin = i;
     grouping_.run(attempt.drafts, brief_, plan);
     attempt.drafts = order_items(std::move(attempt.drafts), table_, arrangements_, plan);
     composition::complete_groups(plan, table_);

@@ -165,8 +165,8 @@ PlanGroup read_group(const JsonReader& json) {
   for (const auto* key : {"parameters", "parts", "mirrors"})
     if (const auto value = json[key]; value.exists()) definition[key] = *value.raw();
   if (!definition.is_null()) group.definition = json_line(definition);
-  if (group.composition.empty() == group.definition.empty())
-    json.report("a group either names a \"composition\" or has \"parts\" of its own");
+  if (group.composition.empty() && group.definition.empty())
+    json.report("a group names a \"composition\" or has \"parts\" of its own");
   if (const auto with = json["with"]; with.exists())
     for (const auto& [name, value] : with.members()) {
       if (value.is_string()) group.parameters[name] = value.text(100);

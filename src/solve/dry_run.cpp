@@ -53,6 +53,7 @@ PlacementTask task_for(const Plan& plan, const PlannedObject& planned, const Lay
   object.category = item.category;
   object.traits = category.traits;
   object.size = item.size.value_or(category.size);
+  if (category.foot > 0.0) object.size.head<2>().setConstant(category.foot);
   // Real ones may be a little larger. In a group each has its place beside the others.
   if (item.asked && item.mount == Mount::floor && item.group.empty()) object.size.head<2>() *= size_margin;
   object.mount = item.mount;

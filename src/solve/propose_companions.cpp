@@ -18,7 +18,7 @@ Bounds2 box_with_companions(const PlacementTask& task) {
   Bounds2 box{-half, half};
   for (const auto& companion : task.companions) {
     const Object& object = companion.object;
-    if (object.mount != Mount::floor || object.traits.flat) continue;
+    if (object.mount != Mount::floor || (object.traits.flat && !task.object.traits.flat)) continue;
     const Footprint own(companion.position, object.size.head<2>(), companion.yaw,
                         object.traits.round);
     for (const Vec2& corner : own.outline()) box.add(corner);

@@ -143,6 +143,20 @@ TEST_CASE("A block falls into its units, each in the frame of its own anchor") {
   }
 }
 
+TEST_CASE("Each copy of an anchor falls apart with what is at it") {
+  const auto block = arranged(R"({"parts": [
+      {"part": "table", "kind": "dining table", "repeat": {"columns": 3, "number": 3, "across": 3.0}},
+      {"part": "chair", "kind": "dining chair", "around": "table", "count": 4}]})");
+  REQUIRE(block);
+  const auto units = units_of(*block);
+  REQUIRE(units.size() == 3);
+  for (const auto& unit : units) {
+    REQUIRE(unit.members.size() == 5);
+    CHECK(unit.members.front().part == "table");
+    for (const auto* chair : of_part(unit, "chair")) CHECK(chair->place.position.norm() < 1.5);
+  }
+}
+
 TEST_CASE("What a group may lose goes in its order, and what it may be is tried before") {
   const auto parsed = parse_json(
       R"({"mirrors": true, "parameters": {"seats": {"default": 4, "least": 2, "most": 8, "shrinks": true}},

@@ -94,6 +94,9 @@ struct Kind {
   /// over it; a screen and a mirror look at those before them.
   Side faces = Side::front;
   bool supports = false;       ///< its top carries things
+  /// Metres across that what stands of it takes of the floor, where the rest hangs above people's heads: a
+  /// parasol's foot; 0: all of it stands.
+  double foot = 0.0;
   bool covers_window = false;  ///< hangs before a window and is made to its measure: a curtain
   std::vector<UseZone> zones;  ///< usable when one is free and reachable; none: always usable
   std::vector<PreferredGap> gaps;

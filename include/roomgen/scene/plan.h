@@ -67,7 +67,7 @@ struct PlanItem {
 /// data/compositions by name, or one of the plan's own. How its things look say the items of the group.
 struct PlanGroup {
   std::string id;           ///< "dining-0"
-  std::string composition;  ///< by name; not needed with a definition
+  std::string composition;  ///< by name; with a definition it only says where the group likes to stand
   std::string definition;   ///< of a composition of its own, as in data/compositions: JSON on one line; may be empty
   std::set<std::string> without;  ///< parts of it that are left out
   std::map<std::string, std::variant<double, std::string>, std::less<>> parameters;
