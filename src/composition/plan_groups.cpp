@@ -196,6 +196,19 @@ std::vector<PlannedObject> placing_order(const Plan& plan) {
     const Role* role = known.of(planned.id);
     return !plan.items[planned.item].location && (!role || role->is_anchor);
   });
+  // Many things that somebody asked for to stand together go before single ones that nobody did: those find
+  // room beside them.
+  constexpr std::ptrdiff_t many = 12;
+  const bool has_block = std::any_of(plan.groups.begin(), plan.groups.end(), [&](const PlanGroup& group) {
+    return group.asked && std::count_if(all.begin(), all.end(), [&](const PlannedObject& planned) {
+             return plan.items[planned.item].group == group.id;
+           }) >= many;
+  });
+  if (has_block)
+    postpone(plan, order, [&](const PlannedObject& planned) {
+      const PlanItem& item = plan.items[planned.item];
+      return item.group.empty() && !item.asked && !item.location && item.mount == Mount::floor;
+    });
   // What dresses the room comes last; in a group it has its place.
   const auto spare = [&](const PlannedObject& planned) {
     const PlanItem& item = plan.items[planned.item];

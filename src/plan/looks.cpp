@@ -10,6 +10,18 @@ namespace roomgen::plan {
 
 namespace {
 
+// "school chair, sky blue shell": what is behind a comma says enough.
+bool says_looks_of_parts(const std::string& description) {
+  const auto comma = description.find(',');
+  if (comma == std::string::npos) return false;
+  const auto& table = AttributeWords::built_in();
+  const auto phrases = table.phrases(words(description.substr(comma)));
+  return std::any_of(phrases.begin(), phrases.end(), [&](const std::string& phrase) {
+    const auto* meaning = table.find(phrase);
+    return meaning && (!meaning->colors.empty() || !meaning->materials.empty());
+  });
+}
+
 // Without those that say an unwanted word: "deep pink" of "pink".
 std::vector<std::string> without(std::vector<std::string> looks, const std::vector<std::string>& unwanted) {
   std::erase_if(looks, [&](const std::string& look) {
@@ -63,10 +75,8 @@ std::string Looks::describe(const std::string& category, const std::string& vari
 }
 
 std::string Looks::in_style(const std::string& category, const std::string& description) const {
-  const auto& table = AttributeWords::built_in();
-  for (const auto& phrase : table.phrases(words(description)))
-    if (const auto* meaning = table.find(phrase); meaning && (!meaning->colors.empty() || !meaning->materials.empty()))
-      return description;
+  const WantedLooks said = wanted_looks(description);
+  if (!said.colors.empty() || !said.materials.empty() || says_looks_of_parts(description)) return description;
   const auto* finish = finish_of(category, of_style_);
   if (!finish) return description;
   const std::string look = (adjective_.empty() ? "" : adjective_ + " ") + *finish + " ";
