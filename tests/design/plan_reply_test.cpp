@@ -235,3 +235,76 @@ TEST_CASE("Damaged plans do no harm") {
   }
   CHECK(understood > 300);
 }
+
+namespace {
+
+std::string whole_room(const std::string& groups, const std::string& more = "") {
+  return R"({"concept": "calm", "room": {"type": "dining room", "size_m": [5, 4], "height_m": 2.7,
+    "materials": {"floor": "oak floor", "ceiling": "white", "walls": [{"wall": null, "finish": "sage green", "lower": null},
+      {"wall": "north", "finish": "red brick", "lower": {"finish": "white panelling", "height": 0.9}}]},
+    "light": {"hour": 20, "sky": null, "level": "dim", "warmth": null, "lamps": null}, "style": ["rustic"], "palette": {"main": null}},
+    "openings": [{"kind": "door", "wall": "east", "at": 0.2, "width": 0.9, "sill": null, "head": null, "for": "hall"},
+      {"kind": "window", "wall": "south", "at": 0.5, "width": 1.6, "sill": 0.8, "head": 2.2, "for": null}],
+    "objects": [{"name": "mirror", "description": "round mirror", "size_cm": [60, 4, 60], "quantity": 1, "place": "wall", "bottom_m": 1.2},
+      {"name": "picture", "description": "large picture", "size_cm": [90, 3, 120], "quantity": 1, "place": "floor", "lean_deg": 8}],
+    "groups": )" + groups + more + "}";
+}
+
+PlanReply read_whole(const std::string& groups) { return read(whole_room(groups), {"a dining room", 1, {}, {}, {}}); }
+
+int count_of_part(const Plan& plan, const std::string& part) {
+  int count = 0;
+  for (const auto& one : plan.items)
+    if (one.part == part) count += one.quantity;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("A whole room is read: surfaces, light, openings, heights and a group by composition") {
+  const PlanReply reply = read_whole(R"([{"id": "dining", "composition": "dining table", "with": [{"name": "seats", "value": 4}],
+    "without": ["rug", "lamp"], "things": [{"part": "chair", "name": "chair", "description": "black chair", "size_cm": null, "quantity": 4}]}])");
+  const Room& room = reply.plan.room;
+  CHECK(reply.concept_text == "calm");
+  CHECK(room.materials.walls == "sage green");
+  CHECK(finish_named(room.materials, "north") == "red brick");
+  CHECK(room.light.hour == 20.0);
+  REQUIRE(room.openings.size() == 2);
+  CHECK(std::count_if(room.openings.begin(), room.openings.end(), [](const Opening& one) { return one.is_entrance(); }) == 1);
+  CHECK(item(reply.plan, "mirror").bottom == Approx(1.2));
+  CHECK(item(reply.plan, "picture").tilt.x() == Approx(-radians(8.0)));
+  REQUIRE(reply.plan.groups.size() == 1);
+  CHECK(count_of_part(reply.plan, "chair") == 4);
+  CHECK(count_of_part(reply.plan, "rug") + count_of_part(reply.plan, "lamp") == 0);
+  for (const auto& one : reply.plan.items)
+    if (one.part == "chair") CHECK(one.description == "black chair");
+}
+
+TEST_CASE("A group of an answer's own says where each thing is, and a composition may be repeated and added to") {
+  const Plan own = read_whole(R"([{"id": "hall", "composition": null, "things": [
+    {"part": "bench", "name": "bench", "size_cm": [120, 40, 45], "where": null},
+    {"part": "glass", "name": "mirror", "size_cm": [80, 4, 80], "where": "above the bench"},
+    {"part": "seat", "name": "stool", "quantity": 2, "where": "on both sides of bench", "facing": "to"}]}])").plan;
+  REQUIRE(own.groups.size() == 1);
+  CHECK(count_of_part(own, "glass") == 1);
+  CHECK(count_of_part(own, "seat") == 2);
+  const Plan rows = read_whole(R"([{"id": "tables", "composition": "cafe table", "with": [], "repeat": {"rows": 2, "columns": 2},
+    "things": [{"part": "screen", "name": "room divider", "where": "behind table"}]}])").plan;
+  REQUIRE(rows.groups.size() == 1);
+  CHECK(count_of_part(rows, "unit/table") == 4);
+  CHECK(count_of_part(rows, "screen") == 4);
+}
+
+TEST_CASE("What a group cannot be is told by its name, and its things stand for themselves") {
+  for (const char* groups :
+       {R"([{"id": "a", "composition": "flying carpet", "things": [{"part": "x", "name": "sofa", "where": null}, {"part": "y", "name": "rug", "where": "beyond x"}]}])",
+        R"([{"id": "a", "composition": "dining table", "with": [{"name": "wings", "value": 2}, {"name": "seats", "value": 400}], "things": []}])",
+        R"([{"id": "a", "composition": "dining table", "without": ["engine"], "things": [{"part": "engine", "name": "engine"}]}])"}) {
+    const PlanReply reply = read_whole(groups);
+    CHECK(std::any_of(reply.repairs.begin(), reply.repairs.end(),
+                      [](const std::string& repair) { return repair.starts_with("group \"a-0\""); }));
+    for (const auto& one : reply.plan.items) CHECK(one.quantity >= 1);
+  }
+  for (const char* groups : {"7", "[null, 3]", R"([{"things": {"part": "anchor"}}])", R"([{"composition": [], "with": 4, "repeat": {"rows": 1e9}}])"})
+    CHECK(read_whole(groups).plan.items.size() >= 2);
+}
