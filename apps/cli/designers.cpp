@@ -132,13 +132,10 @@ CLI::Option* add_text(CLI::App& command, const char* name, std::string& value, c
 }  // namespace
 
 void add_chat_options(CLI::App& command, DesignerOptions& options) {
-  auto* designer = add_text(command, "--designer", options.designer, "rules: works offline; model: asks a language model (with --model)")
-                       ->check(CLI::IsMember({"rules", "model"}))
-                       ->capture_default_str();
-  add_text(command, "--model", options.model, "Name of the model at its endpoint: it designs")
-      ->each([&options, designer](const std::string&) {
-        if (designer->count() == 0) options.designer = "model";
-      });
+  add_text(command, "--designer", options.designer, "rules: works offline; model: asks a language model")
+      ->check(CLI::IsMember({"rules", "model"}))
+      ->capture_default_str();
+  add_text(command, "--model", options.model, "Name of the model at its endpoint");
   add_text(command, "--base-url", options.base_url,
            "Endpoint, as in http://localhost:8080/v1 (default: OpenAI's). The key comes from "
            "ROOMGEN_API_KEY, OPENAI_API_KEY or ANTHROPIC_API_KEY");
@@ -251,6 +248,11 @@ void add_finish_options(CLI::App& command, DesignerOptions& options) {
                   "improvement, no repair")
       ->check(CLI::IsMember({"paper"}))
       ->group(group);
+}
+
+void let_model_design(const CLI::App& command, DesignerOptions& options) {
+  const bool is_told = command.count("--designer") + command.count("--reader") > 0;
+  if (!options.model.empty() && !is_told) options.designer = "model";
 }
 
 void apply_preset(DesignerOptions& options) {

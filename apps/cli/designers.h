@@ -51,6 +51,8 @@ void add_designer_options(CLI::App& command, DesignerOptions& options);
 
 /// --improve, --repair and --preset: what a preset fixes is told where it contradicts.
 void add_finish_options(CLI::App& command, DesignerOptions& options);
+/// A model that is named designs, unless something else is told.
+void let_model_design(const CLI::App& command, DesignerOptions& options);
 /// What --preset stands for; options that were given count as well.
 void apply_preset(DesignerOptions& options);
 

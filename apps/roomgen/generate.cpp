@@ -320,9 +320,10 @@ void add_generate_command(CLI::App& app, Context& context) {
   add_reader_option(*sub, command->designer);
   add_finish_options(*sub, command->designer);
   add_library_options(*sub, command->libraries);
-  sub->callback([command, &context] {
+  sub->callback([command, sub, &context] {
     if (command->wish.prompt.empty() && command->plan_file.empty())
       throw CLI::ValidationError("prompt", "say what the room shall be, or give --plan");
+    let_model_design(*sub, command->designer);
     apply_preset(command->designer);
     context.run = [command, &context] { return run(context, *command); };
   });

@@ -52,8 +52,8 @@ def main():
     roomgen, folder = sys.argv[1], Path(sys.argv[2])
     server, url = chat_server(play, "designer-1")
     threading.Thread(target=server.serve_forever, daemon=True).start()
-    done = subprocess.run([roomgen, "generate", WISH, "-o", folder, "--force", "--model", "designer-1", "--base-url", url, "--reader",
-                           "rules", "--choose", "off", "--pixels", "256"], capture_output=True, text=True)  # fmt: skip
+    done = subprocess.run([roomgen, "generate", WISH, "-o", folder, "--force", "--designer", "model", "--model", "designer-1", "--base-url", url,
+                           "--reader", "rules", "--choose", "off", "--pixels", "256"], capture_output=True, text=True)  # fmt: skip
     server.shutdown()
     assert done.returncode == 0, done.stderr
     names = [name for name, _ in ASKED]
