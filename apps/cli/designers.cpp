@@ -113,11 +113,13 @@ ModelMode DesignerOptions::model_mode() const {
 // A model of one's own reads long questions before its first byte.
 double DesignerOptions::idle() const {
   constexpr double far_away = 30.0, near = 300.0;
-  constexpr std::string_view own[] = {"localhost", "127.", "[::1]", "10.", "192.168.", "172.16.", "172.17.", "172.18.",
-                                      "172.19.",   "172.2", "172.30.", "172.31."};
-  const std::string_view url = base_url;
-  const auto host = url.substr(url.find("://") == url.npos ? 0 : url.find("://") + 3);
-  const bool is_near = std::any_of(std::begin(own), std::end(own), [&](auto name) { return host.starts_with(name); });
+  constexpr std::string_view own[] = {"localhost", "127.", "[::1]", "10.", "192.168."};
+  const std::string url = lower(base_url);
+  const std::string host = url.substr(url.find("://") == url.npos ? 0 : url.find("://") + 3);
+  int second = 0;  // 172.16.0.0 to 172.31.255.255 (RFC 1918)
+  const bool is_private = std::sscanf(host.c_str(), "172.%d.", &second) == 1 && second >= 16 && second <= 31;
+  const bool is_near =
+      is_private || std::any_of(std::begin(own), std::end(own), [&](auto name) { return host.starts_with(name); });
   return idle_seconds.value_or(is_near ? near : far_away);
 }
 

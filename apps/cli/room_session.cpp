@@ -7,6 +7,7 @@
 
 #include "models.h"
 #include "roomgen/base/text.h"
+#include "views.h"
 
 namespace roomgen::cli {
 
@@ -97,6 +98,24 @@ Status write_room(const fs::path& scene_file, Session& session, PictureDrawer* d
   if (tell)
     tell(status.error().message + "; the change is kept in the journal, and scene.json follows with the next command");
   return session.save();
+}
+
+Result<std::vector<std::string>> pictures_for_model(const DesignerOptions& options,
+                                                    PictureDrawer& drawer, Session& session,
+                                                    std::initializer_list<const char*> views,
+                                                    int pixels) {
+  std::vector<std::string> pictures;
+  const auto renderer = drawer.renderer();
+  if (!renderer) return renderer.error();
+  for (const auto& part : parts_of(session.scene()))
+    for (const char* view : views) {
+      const auto picture = (*renderer)->render(part, session.models(), view_named(view, pixels));
+      if (!picture) return picture.error();
+      auto encoded = encode_for(options, *picture);
+      if (!encoded) return encoded.error();
+      pictures.push_back(*std::move(encoded));
+    }
+  return pictures;
 }
 
 std::string remark_line(const std::string& remark) { return "taken for a remark: \"" + remark + "\""; }

@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
+#include "designers.h"
 #include "room_files.h"
 #include "roomgen/base/cancel.h"
 #include "roomgen/base/json.h"
@@ -32,6 +34,12 @@ Result<Session> open_room(const std::filesystem::path& scene_file, const AssetLi
 /// becomes of the files that follow it: that they could not be written is told.
 Status write_room(const std::filesystem::path& scene_file, Session& session, PictureDrawer* drawer, int pixels,
                   const Tell& tell, const CancelToken& cancel = {});
+
+/// The rooms of a session as a model sees them, in these views of so many pixels, room by room.
+Result<std::vector<std::string>> pictures_for_model(const DesignerOptions& options,
+                                                    PictureDrawer& drawer, Session& session,
+                                                    std::initializer_list<const char*> views,
+                                                    int pixels);
 
 /// Of words that ask for nothing.
 std::string remark_line(const std::string& remark);

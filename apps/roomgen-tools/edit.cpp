@@ -37,28 +37,13 @@ Status write_followers(const Context& context, const EditCommand& command, Sessi
   return write_room(command.scene, session, command.no_pictures ? nullptr : &drawer, command.pixels, warn, context.cancel);
 }
 
-// The rooms from above, with marks.
-Result<std::vector<std::string>> pictures_for_model(const EditCommand& command, Session& session) {
-  std::vector<std::string> pictures;
-  PictureDrawer drawer;
-  for (const auto& part : parts_of(session.scene())) {
-    const auto renderer = drawer.renderer();
-    if (!renderer) return renderer.error();
-    const auto picture = (*renderer)->render(part, session.models(), view_named("marks", command.pixels));
-    if (!picture) return picture.error();
-    auto encoded = encode_for(command.designer, *picture);
-    if (!encoded) return encoded.error();
-    pictures.push_back(*std::move(encoded));
-  }
-  return pictures;
-}
-
 Result<Understanding> understood_by_wish(const Context& context, const EditCommand& command,
                                          Session& session) {
   if (!command.designer.reads_by_model()) return understand(session, command.sentence);
   const auto composed = compose_model(command.designer, context, cache_folder(command.libraries));
   if (!composed) return composed.error();
-  auto pictures = pictures_for_model(command, session);
+  PictureDrawer drawer;
+  auto pictures = pictures_for_model(command.designer, drawer, session, {"marks"}, command.pixels);
   if (!pictures) return pictures.error();
   return understand(session, command.sentence,
                             {.model = *composed->model, .prompts = composed->prompts, .pictures = *std::move(pictures), .cancel = context.cancel});

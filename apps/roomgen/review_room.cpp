@@ -6,29 +6,12 @@
 #include "room_files.h"
 #include "room_session.h"
 #include "roomgen/base/file.h"
-#include "views.h"
 
 namespace roomgen::cli {
 
 namespace {
 
 constexpr int seen_pixels = 1024;
-
-// From above with marks, in the round, and as a person sees it.
-Result<std::vector<std::string>> pictures_of(const DesignerOptions& options, PictureDrawer& drawer, Session& session) {
-  std::vector<std::string> pictures;
-  const auto renderer = drawer.renderer();
-  if (!renderer) return renderer.error();
-  for (const auto& part : parts_of(session.scene()))
-    for (const char* view : {"marks", "iso", "eye"}) {
-      const auto picture = (*renderer)->render(part, session.models(), view_named(view, seen_pixels));
-      if (!picture) return picture.error();
-      auto encoded = encode_for(options, *picture);
-      if (!encoded) return encoded.error();
-      pictures.push_back(*std::move(encoded));
-    }
-  return pictures;
-}
 
 Status append_to_trace(const std::filesystem::path& file, const std::vector<ReviewRound>& rounds) {
   auto text = read_file(file);
@@ -50,7 +33,9 @@ Result<std::vector<ReviewRound>> review_room(const RoomToReview& room, Scene& sc
   PictureDrawer drawer;
   Reviewing reviewing{*room.composed.model, *std::move(prompts)};
   if (room.designer.model_mode() != ModelMode::constraints)
-    reviewing.pictures = [&](Session& looked_at) { return pictures_of(room.designer, drawer, looked_at); };
+    reviewing.pictures = [&](Session& looked_at) {
+      return pictures_for_model(room.designer, drawer, looked_at, {"marks", "iso", "eye"}, seen_pixels);
+    };
   reviewing.rounds = room.rounds;
   reviewing.cancel = room.cancel;
   auto rounds = review(*session, reviewing);
