@@ -142,9 +142,10 @@ Vec2 taken_by_companions(const FormedBlock& block, const KindTable& kinds) {
   const bool is_round = kinds.get(block.thing.item.category).traits.round;
   for (const auto& companion : block.companions) {
     const int count = companion.item.quantity;
-    if (stands_beside(block, companion, kinds)) taken.x() += count * companion.item.size->x();
+    const Vec3 size = companion.item.size.value_or(kinds.get(companion.item.category).size);
+    if (stands_beside(block, companion, kinds)) taken.x() += count * size.x();
     if (!kinds.is_a(companion.item.category, "seat")) continue;
-    const double out = companion.item.size->y() - drawn_up;
+    const double out = size.y() - drawn_up;
     if (count > (is_round ? 2 : 4)) taken.x() = 2.0 * out;
     taken.y() = (count > 1 ? 2.0 : 1.0) * out;
   }
