@@ -152,7 +152,7 @@ class ModelDesigner : public Designer {
   /// An answer for a thing whose turn comes later.
   struct Told {
     std::string text, prompt;  ///< the hash of the question
-    std::vector<Object> then;  ///< what stood, where the place is one on a thing
+    std::shared_ptr<const std::vector<Object>> then;  ///< what stood, where the place is one on a thing; else null
   };
 
   // What was answered together with another thing, while what carries both stands as it did.
@@ -162,7 +162,7 @@ class ModelDesigner : public Designer {
     const Told told = std::move(found->second);
     told_.erase(found);
     const bool again = !request.refusals.empty() || !request.objections.empty();
-    if (again || !stand_as_then(told.then, request.scene)) return std::nullopt;
+    if (again || (told.then && !stand_as_then(*told.then, request.scene))) return std::nullopt;
     auto reply = design::read_place_reply(told.text, context_of(request));
     if (!reply) return std::nullopt;
     if (options_.mode != ModelMode::fused) reply->advice.location.reset(), reply->advice.yaw.reset();
@@ -173,9 +173,13 @@ class ModelDesigner : public Designer {
     return std::move(reply->advice);
   }
 
-  design::ModelQuestions::Known known() const {
-    design::ModelQuestions::Known known{idea_, {}};
+  // What was told once is not told again.
+  design::ModelQuestions::Known known(const PlaceRequest& request) {
+    design::ModelQuestions::Known known{idea_, {}, {}};
     for (const auto& [id, told] : told_) known.answered.insert(id);
+    if (request.elsewhere)
+      for (auto& one : request.elsewhere())
+        if (told_elsewhere_.insert(one).second) known.news.push_back(std::move(one));
     return known;
   }
 
@@ -190,14 +194,12 @@ class ModelDesigner : public Designer {
   void keep_others(const PlaceRequest& request, const design::PlaceReply& reply,
                    const Consultation& consultation) {
     const bool on_thing = request.object.mount == Mount::surface;
-    for (const auto& [id, text] : reply.others)
-      told_[id] = {text, consultation.prompt_sha256, on_thing ? request.scene.objects : std::vector<Object>()};
+    const auto then = on_thing ? std::make_shared<const std::vector<Object>>(request.scene.objects) : nullptr;
+    for (const auto& [id, text] : reply.others) told_[id] = {text, consultation.prompt_sha256, then};
   }
 
   Result<PlaceAdvice> ask(const PlaceRequest& request, Consultation& consultation) {
-    PlaceRequest news = request;  // what was told once is not told again
-    std::erase_if(news.elsewhere, [&](const std::string& one) { return !told_elsewhere_.insert(one).second; });
-    auto question = questions_.to_place(news, known());
+    auto question = questions_.to_place(request, known(request));
     if (!question) return question.error();
     consultation.prompt_sha256 = sha256_hex(question->messages.back().text);
     if (auto status = show(request.marks, question->messages.back().images, consultation); !status)

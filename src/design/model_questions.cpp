@@ -167,6 +167,9 @@ Result<Prompts::Slots> ModelQuestions::system_slots(const SceneText& text) const
 Result<ChatRequest> ModelQuestions::to_place(const PlaceRequest& request, const Known& known) const {
   const SceneText text(request.scene.room, options_.paper_frame);
   const bool sees_places = options_.mode != ModelMode::constraints;
+  const bool has_news = sees_places && !known.news.empty();
+  const std::string news =
+      has_news ? "Not all is as you said: " + join(known.news, "; ") + "\n" : std::string();
   const auto others = answered_together(request, options_.steps, known.answered);
   const auto system = system_slots(text);
   if (!system) return system.error();
@@ -181,7 +184,7 @@ Result<ChatRequest> ModelQuestions::to_place(const PlaceRequest& request, const 
                                  {"description", request.object.description + group_text(request.plan, request.planned)},
                                  {"size", size_text(request.object.size)},
                                  {"mount", where(request)},
-                                 {"refusals", refusals(request, text)},
+                                 {"refusals", news + refusals(request, text)},
                                  {"order", order(request) + together(request, others)}});
   if (!question) return question;
   question->schema = place_schema(options_);
@@ -195,7 +198,6 @@ Result<ChatRequest> ModelQuestions::to_place(const PlaceRequest& request, const 
 std::string ModelQuestions::refusals(const PlaceRequest& request, const SceneText& text) const {
   const bool sees_places = options_.mode != ModelMode::constraints;
   std::string lines;
-  if (sees_places && !request.elsewhere.empty()) lines += "Not all is as you said: " + join(request.elsewhere, "; ") + "\n";
   for (std::size_t i = 0; i < request.refusals.size(); ++i) {
     lines += "An earlier answer did not work";
     if (i < request.earlier.size()) lines += " (" + text.answer(request.earlier[i]) + ")";

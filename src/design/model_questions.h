@@ -26,6 +26,7 @@ class ModelQuestions {
   struct Known {
     std::string idea;                ///< what the room shall be like
     std::set<std::string> answered;  ///< whose places have been said already
+    std::vector<std::string> news;   ///< what stands otherwise than was said, and was not told yet
   };
   /// Without pictures.
   Result<ChatRequest> to_place(const PlaceRequest& request, const Known& known) const;

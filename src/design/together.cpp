@@ -29,11 +29,12 @@ std::vector<PlannedObject> answered_together(const PlaceRequest& request, ModelS
                                              const std::set<std::string>& answered) {
   const PlanItem& own = request.plan.items[request.planned.item];
   const std::size_t most = own.mount == Mount::surface ? most_on_one : most_of_room;
+  const auto with_group = request.with_group ? request.with_group() : std::set<std::string>();
   std::vector<PlannedObject> found;
   for (auto& planned : planned_objects(request.plan)) {
     const bool waits = planned.id != request.object.id && answered.count(planned.id) == 0 &&
                        std::find(request.later.begin(), request.later.end(), planned.id) != request.later.end();
-    if (waits && request.with_group.count(planned.id) == 0 && found.size() < most &&
+    if (waits && with_group.count(planned.id) == 0 && found.size() < most &&
         belong_together(own, request.plan.items[planned.item], steps))
       found.push_back(std::move(planned));
   }

@@ -80,10 +80,7 @@ void show_refused(Work& work, const PlaceRequest& request, const PlacementTask& 
   const PlaceAdvice& answer = request.earlier.back();
   if (request.refusals.empty() || !request.objections.empty() || !answer.location) return;
   const PlacementTask whole = with_companions(work, request.planned, task);
-  const auto walls = work.layout().wall_yaws();
-  std::vector<double> yaws(walls.begin(), walls.end());
-  if (answer.yaw) yaws = {*answer.yaw};
-  for (const double yaw : yaws) {
+  for (const double yaw : meant_yaws(work.layout(), answer.yaw)) {
     Object standing = task.object;
     standing.position.head<2>() = *answer.location;
     standing.yaw = yaw;
@@ -165,10 +162,10 @@ Result<PlaceAdvice> consult(Work& work, const PlannedObject& planned, const Plac
   request.objections = earlier.objections;
   request.standing_at = earlier.standing_at;
   request.later = may_come_next(work);
-  request.with_group = coming_with_groups(work);
+  request.with_group = [&] { return coming_with_groups(work); };
   const auto* role = work.role_of(planned.id);
   request.lost_place_in_group = role && !role->is_anchor;
-  request.elsewhere = elsewhere(work);
+  request.elsewhere = [&] { return elsewhere(work); };
   request.cancel = work.cancel;
   if (!earlier.refusals.empty()) request.free_floor = free_floor(place.layout, task.object);
   if (place.options.renderer) request.marks = [&] { return pictures(work, request, task); };

@@ -26,10 +26,7 @@ void add_blockers(const Layout& layout, const Object& standing, bool comes_along
 std::string blocked_by(const Layout& layout, const PlacementTask& task, const Vec2& location) {
   constexpr std::size_t most_named = 6;
   std::set<std::string> names;
-  const auto walls = layout.wall_yaws();
-  std::vector<double> yaws(walls.begin(), walls.end());
-  if (task.facing) yaws = {*task.facing};
-  for (const double yaw : yaws) {
+  for (const double yaw : meant_yaws(layout, task.facing)) {
     Object standing = task.object;
     standing.position.head<2>() = location;
     standing.yaw = yaw;
@@ -92,6 +89,12 @@ Error refusal_on(const Layout& layout, const Object& object) {
 }
 
 }  // namespace
+
+std::vector<double> meant_yaws(const Layout& layout, const std::optional<double>& suggested) {
+  if (suggested) return {*suggested};
+  const auto walls = layout.wall_yaws();
+  return {walls.begin(), walls.end()};
+}
 
 std::vector<std::string> in_the_way(const Layout& layout, const Object& standing) {
   const Footprint area = footprint(standing);

@@ -11,6 +11,9 @@ namespace roomgen {
 Error refusal(const Layout& layout, const PlacementTask& task, const Layout::Candidate& candidate,
               int candidates, int feasible);
 
+/// The ways in which a thing may have been meant to be turned: as was suggested, else along any wall.
+std::vector<double> meant_yaws(const Layout& layout, const std::optional<double>& suggested);
+
 /// The ids of what is in the way of an object where it stands as it says.
 std::vector<std::string> in_the_way(const Layout& layout, const Object& standing);
 

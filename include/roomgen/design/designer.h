@@ -119,10 +119,13 @@ struct PlaceRequest {
   /// changed once.
   std::vector<std::string> objections = {};
   std::optional<Vec2> standing_at = {};
-  std::vector<std::string> elsewhere = {};  ///< what stands otherwise than was suggested: "sofa-0 stands 0.3 m from there"
+  /// What stands otherwise than was suggested, or does not stand: "sofa-0 stands 0.3 m from where
+  /// you put it"; may be empty.
+  std::function<std::vector<std::string>()> elsewhere = {};
   std::vector<Bounds2> free_floor = {};  ///< with refusals: the largest free parts of the floor
   std::vector<std::string> later = {};  ///< ids of what is still to be placed, in the plan's order
-  std::set<std::string> with_group = {};  ///< of these, what comes with the anchor of its group: it is not asked for
+  /// Of these, what comes with the anchor of its group: it is not asked for. May be empty.
+  std::function<std::set<std::string>()> with_group = {};
   bool lost_place_in_group = false;  ///< it has a place in its group, and there was no room for it
   /// Draws the room with coordinate marks, and the top of what carries the object larger; may be empty.
   std::function<Result<std::vector<Image>>()> marks = {};
