@@ -118,4 +118,8 @@ Result<LooseJson> find_json(std::string_view text, const WantedKeys& wanted) {
   return *std::move(found);
 }
 
+std::string text_in(const Json* value) {
+  return value && value->is_string() ? std::string(trim(value->get_ref<const std::string&>())) : "";
+}
+
 }  // namespace roomgen

@@ -33,4 +33,7 @@ Result<LooseJson> find_json(std::string_view text, const WantedKeys& wanted);
 /// cm" finds "Size_CM"); null if there is none or its value is null.
 const Json* member(const Json& object, const std::vector<std::string>& names);
 
+/// The text of a value without blanks around it; empty of null, and of what is no text.
+std::string text_in(const Json* value);
+
 }  // namespace roomgen

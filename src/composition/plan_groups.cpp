@@ -198,11 +198,12 @@ std::vector<PlannedObject> placing_order(const Plan& plan) {
   });
   // Many things that somebody asked for to stand together go before single ones that nobody did: those find
   // room beside them.
-  constexpr std::ptrdiff_t many = 12;
+  constexpr int many = 12;
+  std::map<std::string, int> things;
+  for (const auto& planned : all)
+    if (const Role* role = known.of(planned.id)) ++things[role->group];
   const bool has_block = std::any_of(plan.groups.begin(), plan.groups.end(), [&](const PlanGroup& group) {
-    return group.asked && std::count_if(all.begin(), all.end(), [&](const PlannedObject& planned) {
-             return plan.items[planned.item].group == group.id;
-           }) >= many;
+    return group.asked && things[group.id] >= many;
   });
   if (has_block)
     postpone(plan, order, [&](const PlannedObject& planned) {

@@ -18,6 +18,9 @@ Room read_reply_room(const Json& json, const PlanRequest& request, const brief::
                      const brief::Brief& brief, double furniture,
                      std::vector<std::string>& repairs);
 
+/// The part of an answer about the room: often its members stand beside it.
+const Json& room_part(const Json& json);
+
 /// What the objects of an answer are named after.
 struct ItemLexicon {
   const KindTable& table;

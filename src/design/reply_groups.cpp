@@ -95,11 +95,6 @@ const Composition* composition_named(const std::string& name) {
   return found == known->end() ? nullptr : &found->second;
 }
 
-std::string text_of(const Json& json, const std::vector<std::string>& names) {
-  const Json* value = member(json, names);
-  return value && value->is_string() ? std::string(trim(value->get_ref<const std::string&>())) : "";
-}
-
 std::optional<double> number_of(const Json& json, const std::vector<std::string>& names) {
   const Json* value = member(json, names);
   if (!value) return std::nullopt;
@@ -120,7 +115,7 @@ class GroupReader {
   std::vector<plan::Draft> take_more() { return std::move(more_); }
 
   std::optional<PlanGroup> read() {
-    const std::string said = lower(text_of(json_, {"composition", "template", "pattern"}));
+    const std::string said = lower(text_in(member(json_, {"composition", "template", "pattern"})));
     composition_ = composition_named(said);
     if (!said.empty() && !composition_) {
       std::vector<std::string> names;
@@ -164,7 +159,7 @@ class GroupReader {
 
   std::string wheres_of(const plan::Draft& draft) const {
     const Json* thing = thing_of(draft);
-    return thing ? text_of(*thing, {"where"}) : "";
+    return thing ? text_in(member(*thing, {"where"})) : "";
   }
 
   // What of the composition a thing is: by name, else by kind.
@@ -191,7 +186,7 @@ class GroupReader {
       for (const auto& [name, value] : with->items()) set(name, value);
     if (with && with->is_array())
       for (const auto& one : *with)
-        if (const Json* value = one.is_object() ? member(one, {"value"}) : nullptr) set(text_of(one, {"name"}), *value);
+        if (const Json* value = one.is_object() ? member(one, {"value"}) : nullptr) set(text_in(member(one, {"name"})), *value);
     if (const Json* without = member(json_, {"without"}); without && without->is_array())
       for (const auto& one : *without)
         if (one.is_string()) group_.without.insert(lower(one.get<std::string>()));
@@ -333,7 +328,7 @@ class GroupReader {
     const Json* turned = member(thing, {"facing"});
     const auto degrees_said = turned ? brief::single_measure(*turned) : std::nullopt;
     if (degrees_said) part["yaw"] = degrees_said->value;
-    const std::string facing = lower(text_of(thing, {"facing"}));
+    const std::string facing = lower(text_in(member(thing, {"facing"})));
     const bool is_known = facing == "same" || facing == "opposite" || facing == "to" || facing == "away";
     const bool sits_before = in_a_row && key == "beside" && kinds_.is_a(part["kind"].get<std::string>(), "seat");
     if (is_known) part["facing"] = facing;

@@ -52,10 +52,6 @@ constexpr SideWord side_words[] = {{"width", 0},  {"w", 0},     {"x", 0}, {"leng
                                    {"l", 1},      {"depth", 1}, {"d", 1}, {"y", 1},
                                    {"height", 2}, {"h", 2},     {"z", 2}, {"thickness", 1}};
 
-std::string text_of(const Json* value) {
-  return value && value->is_string() ? std::string(trim(value->get_ref<const std::string&>())) : "";
-}
-
 bool has_digits_only(const std::string& word) {
   return word.find_first_not_of("0123456789") == std::string::npos;
 }
@@ -156,8 +152,8 @@ class ItemReader {
     if (drafts_.size() >= max_items || objects_ >= max_objects)
       return note("only the first " + std::to_string(drafts_.size()) + " items were kept");
     const Json* name_value = value.is_string() ? &value : member(value, name_keys);
-    const std::string description = text_of(member(value, description_keys));
-    std::string name = text_of(name_value);
+    const std::string description = text_in(member(value, description_keys));
+    std::string name = text_in(name_value);
     if (name.empty()) name = key.empty() ? description : key;
     if (plain_name(name).empty()) return note("an object without a name was left out");
 
@@ -172,8 +168,8 @@ class ItemReader {
         shortened(description.empty() ? plain_name(name) : description, max_description);
     item.quantity = quantity_of(value, item.category);
     const Json* variance = member(value, variance_keys);
-    item.varied = variance && (*variance == Json(true) || text_of(variance).starts_with("var") ||
-                               text_of(variance).starts_with("diff"));
+    item.varied = variance && (*variance == Json(true) || text_in(variance).starts_with("var") ||
+                               text_in(variance).starts_with("diff"));
     read_size(value, item);
     std::string on = group_.empty() ? read_mount(value, item) : usual_mount(item);
     read_height(value, item);
@@ -254,7 +250,7 @@ class ItemReader {
   // Sets the mount; the answer is the name of what carries it.
   std::string read_mount(const Json& value, PlanItem& item) {
     item.mount = lexicon_.table.get(item.category).mount;
-    const auto pieces = words(text_of(member(value, spot_keys)));
+    const auto pieces = words(text_in(member(value, spot_keys)));
     for (const auto& piece : pieces)
       for (const auto& known : place_words)
         if (piece == known.word) {
@@ -319,14 +315,14 @@ std::string category_named(const std::string& name, const std::string& descripti
 }
 
 std::string reply_group_id(const Json& group, std::size_t number) {
-  const std::string said = group.is_object() ? text_of(member(group, {"id", "name", "group"})) : "";
+  const std::string said = group.is_object() ? text_in(member(group, {"id", "name", "group"})) : "";
   const std::string name = join(words(said), "-");
   return (name.empty() ? "group" : shortened(name, max_words)) + "-" + std::to_string(number);
 }
 
 std::string reply_part_name(const Json& thing) {
-  const std::string part = thing.is_object() ? text_of(member(thing, {"part", "role"})) : "";
-  const std::string name = part.empty() ? text_of(thing.is_string() ? &thing : member(thing, name_keys)) : part;
+  const std::string part = thing.is_object() ? text_in(member(thing, {"part", "role"})) : "";
+  const std::string name = part.empty() ? text_in(thing.is_string() ? &thing : member(thing, name_keys)) : part;
   return shortened(lower(name), max_words);
 }
 

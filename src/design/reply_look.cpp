@@ -29,17 +29,12 @@ void note(const JsonReader::Problems& problems, std::vector<std::string>& repair
   repairs.insert(repairs.end(), problems.remarks().begin(), problems.remarks().end());
 }
 
-const Json& room_in(const Json& json) {
-  const Json* room = member(json, {"room"});
-  return room && room->is_object() ? *room : json;
-}
-
 }  // namespace
 
 void read_reply_look(const Json& json, Room& room, std::vector<std::string>& repairs) {
   // One that is wrong costs none of the others.
   for (const char* key : {"materials", "light", "style", "palette"}) {
-    const Json* said = member(room_in(json), {key});
+    const Json* said = member(room_part(json), {key});
     if (!said) continue;
     const Json part = {{key, said_part(*said)}};
     JsonReader::Problems problems("room");
@@ -60,7 +55,7 @@ void read_reply_look(const Json& json, Room& room, std::vector<std::string>& rep
 std::vector<WantedOpening> read_reply_openings(const Json& json, const Room& room,
                                                std::vector<std::string>& repairs) {
   const Json* said = member(json, {"openings", "doors and windows"});
-  if (!said) said = member(room_in(json), {"openings"});
+  if (!said) said = member(room_part(json), {"openings"});
   if (!said || !said->is_array()) return {};
   std::vector<WantedOpening> openings;
   for (std::size_t i = 0; i < said->size(); ++i) {

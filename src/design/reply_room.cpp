@@ -31,12 +31,6 @@ const std::vector<std::string> height_keys = {"height m", "height", "ceiling hei
                                               "wall height"};
 const std::vector<std::string> window_keys = {"windows", "window count"};
 
-// The part of the answer about the room: often its members stand beside it.
-const Json& room_part(const Json& json) {
-  const Json* room = member(json, room_keys);
-  return room && room->is_object() ? *room : json;
-}
-
 double side_labelled(const std::vector<brief::Measure>& measures,
                      std::initializer_list<const char*> names) {
   for (const char* name : names)
@@ -144,6 +138,11 @@ Room given_room(const PlanRequest& request, const brief::RoomKind& kind,
 }
 
 }  // namespace
+
+const Json& room_part(const Json& json) {
+  const Json* room = member(json, room_keys);
+  return room && room->is_object() ? *room : json;
+}
 
 std::string room_type_in(const Json& json) {
   const Json* type = member(room_part(json), room_type_keys);

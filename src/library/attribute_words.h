@@ -54,6 +54,9 @@ struct AttributeMeaning {
   std::vector<std::map<std::string, Interval>> parts;
   std::vector<std::string> ways;       ///< choices of recipes, of which one must be made: "spindles"
 
+  /// Is it a colour or a material?
+  bool of_looks() const { return !colors.empty() || !materials.empty(); }
+
   /// Does who made the thing know it?
   bool of_making() const { return !parts.empty() || !ways.empty(); }
 

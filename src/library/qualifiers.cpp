@@ -56,8 +56,7 @@ bool is_about_it(const Clause& clause, const std::string& noun, const Vocabulary
   if (last == singular(noun) || is_listed(last, whole)) return true;
   const auto* meaning = AttributeWords::built_in().find(clause.words.back());
   // "armchair, forest green wool"
-  const bool is_look = meaning && (!meaning->colors.empty() || !meaning->materials.empty());
-  if (clause.lead == "," && is_look) return true;
+  if (clause.lead == "," && meaning && meaning->of_looks()) return true;
   const bool is_part = !clause.lead.empty() && meaning && meaning->of_making();
   return !is_part && vocabulary.is_modifier(last);
 }

@@ -18,7 +18,7 @@ bool says_looks_of_parts(const std::string& description) {
   const auto phrases = table.phrases(words(description.substr(comma)));
   return std::any_of(phrases.begin(), phrases.end(), [&](const std::string& phrase) {
     const auto* meaning = table.find(phrase);
-    return meaning && (!meaning->colors.empty() || !meaning->materials.empty());
+    return meaning && meaning->of_looks();
   });
 }
 
