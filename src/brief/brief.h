@@ -129,6 +129,9 @@ struct Brief {
   std::vector<language::Token> tokens;  ///< of the prompt
 };
 
+/// The words of the prompt, in lower case.
+std::string words_of(const Brief& brief);
+
 /// Adds words to what was heard; which of Brief::heard they are.
 std::size_t hear(Brief& brief, const language::Run& tokens, Heard::As as, std::string word = "");
 

@@ -1,6 +1,7 @@
 #include "dwelling_prompt.h"
 
 #include "dwelling_reading.h"
+#include "prompt.h"
 #include "style_phrase.h"
 #include "token_readers.h"
 
@@ -53,35 +54,31 @@ Stretch without_joints(const DwellingText& text, Stretch range) {
   return range;
 }
 
-/// Puts a room's own prompt together and remembers where its words come from.
-class RoomPrompt {
+/// A room's own words: those that are said of it, joined by what is only meant.
+class RoomWords {
  public:
-  explicit RoomPrompt(const DwellingText& text) : text_(text) {}
+  explicit RoomWords(const DwellingText& text) : text_(text) {}
 
-  void add(std::string_view words) { prompt_ += words; }
-  void add(Stretch range) {
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      const Token& token = text_.tokens[i];
-      if (token.kind == Token::Kind::comma) {
-        prompt_ += ",";
-        continue;
-      }
-      if (i > range.begin) prompt_ += " ";
-      const std::size_t begin = prompt_.size();
-      prompt_ += token.text;
-      origins_.push_back({{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(prompt_.size())},
-                          text_.prompt[token.source.begin].span});
+  void mean(const std::string& words, std::size_t before) {
+    const auto at = before < text_.tokens.size() ? said(before)->span.begin : 0;
+    for (auto& token : language::tokenize(words)) {
+      token.span = {at, at};
+      words_.push_back(std::move(token));
     }
   }
-  void put_into(SaidRoom& room) {
-    room.prompt = std::move(prompt_);
-    room.origins = std::move(origins_);
+  void add(Stretch range) {
+    const auto& end = text_.tokens[range.end - 1].source.end;
+    words_.insert(words_.end(), said(range.begin), text_.prompt.begin() + end);
   }
+  std::vector<language::Token> take() { return std::move(words_); }
 
  private:
+  std::vector<language::Token>::const_iterator said(std::size_t token) const {
+    return text_.prompt.begin() + text_.tokens[token].source.begin;
+  }
+
   const DwellingText& text_;
-  std::string prompt_;
-  std::vector<Origin> origins_;
+  std::vector<language::Token> words_;
 };
 
 bool begins_with_link(const DwellingText& text, Stretch range) {
@@ -90,31 +87,22 @@ bool begins_with_link(const DwellingText& text, Stretch range) {
   return range.end > range.begin + 1 && links.count(text.tokens[range.begin].text) > 0;
 }
 
-void write_prompt(const DwellingText& text, const FoundRoom& room,
-                  const std::vector<Stretch>& about, const std::string& styles, SaidRoom& said) {
-  RoomPrompt prompt(text);
-  prompt.add("a " + styles + room.adjectives + room.type);
+std::vector<language::Token> words_of(const DwellingText& text, const FoundRoom& room,
+                                      const std::vector<Stretch>& about,
+                                      const std::string& styles) {
+  RoomWords words(text);
+  words.mean("a " + styles + room.adjectives + room.type, room.introduced);
   for (const auto& range : about) {
-    const Stretch words = without_joints(text, range);
-    if (words.begin == words.end) continue;
+    const Stretch said = without_joints(text, range);
+    if (said.begin == said.end) continue;
     // At once it goes on about the room that it names, later it comes back to it.
-    const bool goes_on = range.begin == room.introduced;
-    if (begins_with_link(text, words))
-      prompt.add(goes_on ? " " : ". the " + room.type + " ");
-    else
-      prompt.add(text.tokens[words.begin].is_word("there") ? ". " : ". there is ");
-    prompt.add(words);
+    const bool goes_on = range.begin == room.introduced, is_link = begins_with_link(text, said);
+    if (is_link && !goes_on) words.mean(". the " + room.type, said.begin);
+    if (!is_link)
+      words.mean(text.tokens[said.begin].is_word("there") ? "." : ". there is", said.begin);
+    words.add(said);
   }
-  prompt.put_into(said);
-}
-
-SaidRoom said_room(const DwellingText& text, const FoundRoom& room,
-                   const std::vector<Stretch>& about, const std::string& styles) {
-  SaidRoom said;
-  said.type = room.type;
-  said.owner = room.owner;
-  write_prompt(text, room, about, styles, said);
-  return said;
+  return words.take();
 }
 
 // "The flat has a kitchen", "... and a bathroom": what only says that the room is there.
@@ -162,7 +150,8 @@ std::optional<SaidDwelling> read_dwelling(std::string_view prompt, const Dwellin
   }
   const auto about = share_clauses(text, names, rooms, kinds, table);
   for (std::size_t r = 0; r < rooms.size(); ++r)
-    said.rooms.push_back(said_room(text, rooms[r], about[r], styles));
+    said.rooms.push_back({rooms[r].type, rooms[r].owner,
+                          read_words(words_of(text, rooms[r], about[r], styles), kinds, table)});
   hear_names(text, names, kinds, said.heard);
   said.tokens = text.prompt;
   return said;

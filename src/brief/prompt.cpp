@@ -35,11 +35,16 @@ void read_styles(PromptReading& reading) {
 }  // namespace
 
 Brief read_words(std::string_view prompt, const RoomKinds& kinds, const KindTable& table) {
+  return read_words(language::tokenize(prompt, max_tokens), kinds, table);
+}
+
+Brief read_words(std::vector<language::Token> prompt, const RoomKinds& kinds,
+                 const KindTable& table) {
   Brief brief;
   const auto& words = built_in_vocabulary();
   if (!words) return brief;
   const auto parse =
-      language::parse(language::tokenize(prompt, max_tokens),
+      language::parse(std::move(prompt),
                       [&](std::string_view name) { return table.spelled(name) != nullptr; });
   if (parse.tokens.size() >= max_tokens)
     brief.notes.push_back("only the first " + std::to_string(max_tokens) +

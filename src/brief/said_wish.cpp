@@ -49,8 +49,8 @@ class RoomsReader {
     for (std::size_t i = 0; i < dwelling.rooms.size(); ++i) {
       SaidRoom& room = dwelling.rooms[i];
       room.owner = room_called(nodes[i]["only_from"].text(), i);
-      add_room(result_.wish.form, dwelling, room, to_json(*room.brief, result_.wish.prompt));
-      conclude(*room.brief, kinds_, table_);
+      add_room(result_.wish.form, dwelling, room, to_json(room.brief, result_.wish.prompt));
+      conclude(room.brief, kinds_, table_);
     }
     // What is said of the whole: styles are those of each room.
     const Brief& whole = result_.wish.brief;
@@ -77,8 +77,6 @@ class RoomsReader {
     hear_lies(node, own);
     SaidRoom room;
     room.type = own.type.empty() ? default_room_type : own.type;
-    room.prompt = result_.wish.prompt;
-    for (const auto& token : own.tokens) room.origins.push_back({token.span, token.span});
     names_.push_back(lower(node["name"].text()));
     room.brief = std::move(own);
     dwelling.rooms.push_back(std::move(room));
@@ -124,9 +122,10 @@ SaidWish wish_by_rules(const std::string& prompt, const RoomKinds& kinds, const 
     wish.dwelling = read_dwelling(prompt, *dwellings, kinds, table);
   wish.form = to_json(wish.dwelling ? Brief() : wish.brief, prompt);
   if (wish.dwelling)
-    for (const auto& room : wish.dwelling->rooms)
-      add_room(wish.form, *wish.dwelling, room,
-               to_json(read_words(room.prompt, kinds, table), room.prompt));
+    for (auto& room : wish.dwelling->rooms) {
+      add_room(wish.form, *wish.dwelling, room, to_json(room.brief, prompt));
+      conclude(room.brief, kinds, table);
+    }
   conclude(wish.brief, kinds, table);
   return wish;
 }

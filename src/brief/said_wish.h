@@ -24,8 +24,7 @@ Brief brief_of(const PlanRequest& request, const RoomKinds& kinds, const KindTab
 /// The reading of the request's prompt; null if rules are to read it.
 const SaidWish* reading_of(const PlanRequest& request);
 
-/// A wish read by rules, for one room or several; of these each has its own text, which is read for
-/// it.
+/// A wish read by rules, for one room or several.
 SaidWish wish_by_rules(const std::string& prompt, const RoomKinds& kinds, const KindTable& table);
 
 /// What a model answers about a wish: brief.json of one room, or with `rooms`.

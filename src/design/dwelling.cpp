@@ -6,7 +6,6 @@
 
 #include "base/random.h"
 #include "brief/dwelling_kinds.h"
-#include "brief/prompt.h"
 #include "brief/room_kinds.h"
 #include "brief/said_wish.h"
 #include "plan/coverage.h"
@@ -35,10 +34,8 @@ brief::DwellingRoom kind_of(const std::string& type, const brief::DwellingKinds&
 }
 
 // What the prompt says of the room's size, else drawn by its kind.
-double area_of(const brief::SaidRoom& said, const brief::DwellingRoom& kind,
+double area_of(const brief::Brief& brief, const brief::DwellingRoom& kind,
                const brief::RoomKinds& kinds, Random random) {
-  const brief::Brief brief =
-      said.brief ? *said.brief : brief::read_prompt(said.prompt, kinds, KindTable::built_in());
   if (brief.size) return bounded(brief.size->prod(), kind);
   if (brief.area) return bounded(*brief.area, kind);
   double area = random.uniform(kind.area.low, kind.area.high);
@@ -53,7 +50,7 @@ std::vector<plan::LaidRoom> lay(const brief::SaidDwelling& said,
   std::vector<plan::LaidRoom> rooms;
   double sum = 0.0;
   for (std::size_t i = 0; i < said.rooms.size(); ++i) {
-    const double area = area_of(said.rooms[i], kind_of(said.rooms[i].type, dwellings), kinds,
+    const double area = area_of(said.rooms[i].brief, kind_of(said.rooms[i].type, dwellings), kinds,
                                 random.fork("area " + std::to_string(i)));
     rooms.push_back({said.rooms[i].type, area, said.rooms[i].owner, {}});
     sum += area;
@@ -136,9 +133,7 @@ Result<std::optional<DwellingPlan>> plan_dwelling(const PlanRequest& request, De
   if (!kinds) return kinds.error();
   if (request.room || request.size) return none;
   const brief::SaidWish* read = brief::reading_of(request);
-  const auto said =
-      read ? read->dwelling
-           : brief::read_dwelling(request.prompt, *dwellings, *kinds, KindTable::built_in());
+  const auto said = (read ? *read : brief::wish_by_rules(request.prompt, *kinds, KindTable::built_in())).dwelling;
   if (!said) return none;
 
   const Random random = Random(request.seed).fork("dwelling");
@@ -156,13 +151,14 @@ Result<std::optional<DwellingPlan>> plan_dwelling(const PlanRequest& request, De
     plan.notes.push_back("a hallway was added, from which the rooms are entered");
   for (std::size_t i = 0; i < rooms.size(); ++i) {
     PlanRequest own;
-    own.prompt = i < said->rooms.size() ? said->rooms[i].prompt : "a " + rooms[i].type;
+    const bool is_said = i < said->rooms.size();
+    own.prompt = is_said ? request.prompt : "a " + rooms[i].type;
     own.seed = random.fork("plan of " + rooms[i].id).fork("seed").next();
     own.room = rooms[i];
     own.cancel = request.cancel;
-    if (i < said->rooms.size() && said->rooms[i].brief)
+    if (is_said)
       own.said = std::make_shared<brief::SaidWish>(
-          brief::SaidWish{own.prompt, *said->rooms[i].brief, {}, true});
+          brief::SaidWish{own.prompt, said->rooms[i].brief, {}, read && read->is_by_model});
     auto room = designer.plan(own);
     if (!room) return with_context(room.error(), "room \"" + rooms[i].id + "\"");
     plan.rooms.push_back(*std::move(room));

@@ -117,7 +117,7 @@ class ModelReader : public Reader {
     };
     mark(wish.brief.heard);
     for (std::size_t i = 0; wish.dwelling && i < wish.dwelling->rooms.size(); ++i)
-      mark(wish.dwelling->rooms[i].brief->heard);
+      mark(wish.dwelling->rooms[i].brief.heard);
     std::vector<std::string> lost;
     std::size_t words = 0;
     for (std::size_t i = 0; i < heard.size(); ++i) {

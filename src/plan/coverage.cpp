@@ -51,7 +51,8 @@ std::vector<Heard> runs_of(const std::string& prompt, const std::vector<language
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     if (is_mark(tokens[i]) && owner[i] == nobody) last.reset();
     const bool is_lost = owner[i] != nobody && meanings[owner[i]].as == Heard::As::not_understood;
-    if (language::is_function_word(tokens[i]) && !is_lost) continue;
+    if (tokens[i].span.size() == 0) last.reset();  // only meant
+    if (tokens[i].span.size() == 0 || (language::is_function_word(tokens[i]) && !is_lost)) continue;
     if (last == owner[i]) {
       heard.back().end = tokens[i].span.end;
       continue;
@@ -97,10 +98,10 @@ std::vector<Heard> heard_words(const std::string& prompt, const brief::SaidDwell
   for (std::size_t room = 0; room < said.rooms.size(); ++room)
     for (const auto& words : rooms[room].heard) {
       if (words.as == Heard::As::not_understood) continue;
-      for (const auto& origin : said.rooms[room].origins)
-        if (words.begin <= origin.own.begin && origin.own.end <= words.end)
+      for (const auto& own : said.rooms[room].brief.tokens)
+        if (words.begin <= own.span.begin && own.span.end <= words.end)
           for (std::size_t token = 0; token < owner.size(); ++token)
-            if (said.tokens[token].span == origin.whole && owner[token] == nobody)
+            if (said.tokens[token].span == own.span && owner[token] == nobody)
               owner[token] = meanings.size();
       meanings.push_back({words.as, words.requirements});
     }

@@ -39,7 +39,7 @@ class Gatherer {
         drafts_(drafts),
         brief_(brief),
         plan_(plan),
-        request_{brief.type, lower(plan.prompt)} {}
+        request_{brief.type, brief::words_of(brief)} {}
 
   // What is told to stand in rows, a ring or islands; then the groups that gain most; then what usually stands in rows.
   void run() {
@@ -358,10 +358,8 @@ class Gatherer {
 Grouping::Grouping(const KindTable& kinds, const Arrangements& arrangements)
     : kinds_(kinds), arrangements_(arrangements), fitting_(kinds) {}
 
-Grouping::Floor Grouping::floor_of(std::vector<Draft> drafts, const brief::Brief& brief,
-                                   const std::string& prompt) {
+Grouping::Floor Grouping::floor_of(std::vector<Draft> drafts, const brief::Brief& brief) {
   Plan plan;
-  plan.prompt = prompt;
   run(drafts, brief, plan);
   Floor floor;
   double focus = 0.0;  // metres that what is looked at reaches into the room

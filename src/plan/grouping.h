@@ -19,7 +19,7 @@ class Grouping {
     double area = 0.0;            ///< square metres
     Vec2 largest = Vec2::Zero();  ///< the box of the largest group, with a way
   };
-  Floor floor_of(std::vector<Draft> drafts, const brief::Brief& brief, const std::string& prompt);
+  Floor floor_of(std::vector<Draft> drafts, const brief::Brief& brief);
 
   /// Groups the drafts anew: those that gain most first. Drafts whose things go to several groups
   /// are split. What is told of a thing's place beyond being at its anchor keeps it out. What is told

@@ -167,7 +167,7 @@ class Planner {
     const Vec2 size = choose_size(kind_, brief_, scale, floor_area(drafts, table_), {0, 0}, random.fork("size"));
     auto all = drafts;
     complete(all, brief_, kinds_, kind_, size, table_, looks, random.fork("contents"));
-    const auto floor = grouping_.floor_of(std::move(all), brief_, request_.prompt);
+    const auto floor = grouping_.floor_of(std::move(all), brief_);
     const double furniture = std::max(floor_area(drafts, table_), kind_.share.high * floor_of_groups * floor.area);
     return choose_size(kind_, brief_, scale, furniture, floor.largest, random.fork("size"));
   }
