@@ -72,6 +72,13 @@ Form::Form(FormNode node, const FormContext& context, BriefReading& reading)
       brief(reading.brief),
       is_rules(context.author == FormAuthor::roomgen) {}
 
+bool Form::remark(const FormNode& clause, std::uint32_t near) {
+  const std::size_t said = hear_as_one(clause, Heard::As::room, near);
+  if (said == HeardWords::none) return false;
+  entry(brief.heard[said].tokens, Heard::As::room, said_remark);
+  return true;
+}
+
 void Form::problem(const FormNode& node, const std::string& what) {
   if (result.problems.size() < most_problems) result.problems.push_back(node.pointer + ": " + what);
 }
@@ -206,6 +213,7 @@ class FormRoom {
         std::clamp(static_cast<int>(std::clamp(people["seats"].number().value_or(0.0), 0.0, 1e6)),
                    0, most_people);
     form_.hear(people["words"], Heard::As::person, "", 0);
+    read_remarks(form_.root["remarks"]);
     for (const auto& talk : form_.root["talk"].elements(10 * most_clauses)) read_talk(talk);
   }
 
@@ -245,11 +253,11 @@ class FormRoom {
       brief_.height = values[0];
     else if (is == "proportion" && positive(2))
       brief_.shape.proportion = Range{values[0], values[1]};
-    else if (!read_shape(is, name, word))
-      return form_.problem(clause,
-                           "\"" + is +
-                               "\" with these numbers and this name says nothing of a room; "
-                               "its words belong into talk, as \"mood\"");
+    else if (!read_shape(is, name, word)) {
+      if (!form_.remark(clause, 0))
+        form_.problem(clause, "neither its numbers and name nor its words say anything of a room");
+      return;
+    }
     form_.hear(clause["words"], Heard::As::room, word, 0);
   }
 
@@ -294,6 +302,8 @@ class FormRoom {
   void read_opening(const FormNode& node) {
     const std::string name = lower(node["kind"].text());
     const OpeningKind* kind = opening_called(name);
+    read_remarks(node["remarks"]);
+    if (!kind && form_.remark(node, 0)) return;
     if (!kind) return form_.problem(node["kind"], "\"" + name + "\" is no window, door or passage");
     OpeningWish wish;
     wish.kind = kind->name;
@@ -314,9 +324,7 @@ class FormRoom {
 
   void add_opening(const FormNode& node, const OpeningWish& wish) {
     if (is_plain(node, wish)) return add_windows(node, wish.count);
-    if (wish.count == 0)
-      return form_.problem(node, "that there is no " + wish.kind +
-                                     " cannot be planned; its words belong into talk, as \"mood\"");
+    if (wish.count == 0) return void(form_.remark(node, 0));
     if (wish.type == OpeningType::window && !brief_.windows) brief_.windows = 0;
     brief_.openings.push_back(wish);
     form_.hear(node["words"], Heard::As::thing, wish.kind, 0);
@@ -356,6 +364,11 @@ class FormRoom {
     wish.beside = type_named(form_.is_rules ? rules["beside"].text() : node["beside"].text());
   }
 
+  void read_remarks(const FormNode& quotes) {
+    for (const auto& quote : quotes.elements(most_clauses))
+      form_.hear(quote, Heard::As::room, said_remark, 0);
+  }
+
   void read_finish(const FormNode& node) {
     const std::string looks = lower(node["looks"].text());
     std::string part = lower(node["part"].text());
@@ -370,10 +383,10 @@ class FormRoom {
     else if (part.find("wall") != std::string::npos || form_.is_rules)
       cover_named(materials, form_.is_rules && part != "accent wall" ? part : accent_name).finish =
           looks;
+    else if (form_.remark(node, 0))
+      return;
     else
-      return form_.problem(node["part"],
-                           "must be floor, walls, accent wall or ceiling; what is said of other "
-                           "parts belongs into talk");
+      return form_.problem(node["part"], "must be floor, walls, accent wall or ceiling");
     form_.hear(node["words"], Heard::As::attribute, looks, 0);
   }
 

@@ -52,6 +52,10 @@ struct Form {
   std::vector<language::Run> next_words(const FormNode& quotes);
   std::size_t entry(const language::Run& tokens, Heard::As as, const std::string& word);
 
+  /// What a clause says is kept in its own words, where no part of a brief can hold it; false if it
+  /// quotes none.
+  bool remark(const FormNode& clause, std::uint32_t near);
+
   void problem(const FormNode& node, const std::string& what);
   void repair(const std::string& what);
 

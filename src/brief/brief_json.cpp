@@ -51,6 +51,7 @@ class BriefWriter {
     json["absences"] = absences();
     json["limits"] = limits();
     json["rules"] = known_to_rules();
+    json["remarks"] = said(Heard::As::room, said_remark);
     json["talk"] = talk();
     json["rooms"] = Json::array();
     return json;
@@ -117,6 +118,7 @@ class BriefWriter {
                    {"walls", Json::array()},
                    {"width", wish.width.value_or(0.0)},
                    {"height", wish.height.value_or(0.0)},
+                   {"remarks", Json::array()},
                    {"words", said(Heard::As::thing, wish.kind)}};
       Json& rules = json["rules"] = {{"type", name(wish.type)},
                                      {"counted", wish.counted},
@@ -128,7 +130,10 @@ class BriefWriter {
       if (wish.beside) rules["beside"] = name(*wish.beside);
       list.push_back(std::move(json));
     }
-    if (!brief_.windows) return list;
+    const bool has_special = std::any_of(
+        brief_.openings.begin(), brief_.openings.end(),
+        [](const OpeningWish& wish) { return wish.type == OpeningType::window; });
+    if (!brief_.windows || (*brief_.windows == 0 && has_special)) return list;
     const Json words = said(*brief_.windows == 0 ? Heard::As::absence : Heard::As::thing, "window");
     list.push_back({{"kind", "window"},
                     {"count", *brief_.windows},
@@ -136,6 +141,7 @@ class BriefWriter {
                     {"walls", Json::array()},
                     {"width", 0.0},
                     {"height", 0.0},
+                    {"remarks", Json::array()},
                     {"words", words},
                     {"rules", {{"plain", true}}}});
     return list;

@@ -217,6 +217,9 @@ class FormThings {
       add(form_.hear(size["words"], Heard::As::attribute, said_length, near), mention);
   }
 
+  static bool is_id(const std::string& text) {
+    return text.size() > 1 && text[0] == 't' && text.find_first_not_of("0123456789", 1) == text.npos;
+  }
   std::optional<std::size_t> find_id(const std::string& id) const {
     const auto known = ids_.find(id);
     return known == ids_.end() ? std::nullopt : std::optional(known->second);
@@ -252,7 +255,10 @@ class FormThings {
       return form_.problem(node["relation"],
                            "\"" + said + "\" is no relation; use one of those that were told");
     const auto target = target_of(node["to"], *placement);
-    if (!target) return;
+    if (!target && !is_id(node["to"].text()) && form_.remark(node, near)) return;
+    if (!target)
+      return form_.problem(node["to"], "\"" + node["to"].text() +
+                                           "\" is neither the id of a thing nor a part of the room");
     const std::size_t heard = form_.hear_as_one(node, Heard::As::relation, near);
     if (node["denied"].flag()) return deny(index, *placement, *target, heard);
     talk_.told_by(heard);
@@ -263,9 +269,7 @@ class FormThings {
         target->mention != index && is_named(*target) && !node["m"].number().value_or(0.0);
     if (number_of_clauses() == before && is_of_another)
       talk_.add(index, {placement->relations.front(), target->mention, target->part, false});
-    // What nothing can check is heard all the same.
-    if (number_of_clauses() == before && heard != HeardWords::none)
-      form_.entry(brief_.heard[heard].tokens, Heard::As::room, said_remark);
+    if (number_of_clauses() == before) form_.remark(node, near);
     talk_.told_by(HeardWords::none);
   }
   static std::vector<std::string> split_blanks(const std::string& text) {
@@ -309,9 +313,7 @@ class FormThings {
     else if (named != brief_.mentions.end())
       target.mention = static_cast<std::size_t>(named - brief_.mentions.begin());
     if (target.mention != Demand::none) return target;
-    if (place_called(text, placement, target)) return target;
-    form_.problem(node, "\"" + text + "\" is neither the id of a thing nor a part of the room");
-    return std::nullopt;
+    return place_called(text, placement, target) ? std::optional(target) : std::nullopt;
   }
 
   bool place_called(const std::string& text, const Placement& placement, FormTarget& target) const {
@@ -381,6 +383,7 @@ class FormThings {
     const bool turns =
         std::any_of(placement.relations.begin(), placement.relations.end(), is_looking_at) ||
         placement.relations.front() == RelationKind::behind;
+    if (brief_.mentions[index].formation) return;
     if (!turns || brief_.mentions[index].quantity < 2) {
       brief_.mentions[index].formation = Formation{};
       brief_.mentions[index].formation_heard = talk_.told();

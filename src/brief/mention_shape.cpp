@@ -158,7 +158,8 @@ void hang(Mention& mention, Mount where, const KindTable& table) {
   const Forms& forms = table.get(mention.category).forms;
   if (const Kind* hanging = table.by_name(where == Mount::wall ? forms.wall : forms.ceiling))
     return become(mention, *hanging);
-  if (mention.mount == Mount::surface || where == Mount::ceiling) mention.mount = where;
+  if (mention.mount == Mount::surface || where == Mount::ceiling || !mention.known)
+    mention.mount = where;
 }
 
 bool become_small(Mention& mention, const KindTable& table) {

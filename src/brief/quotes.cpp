@@ -57,6 +57,17 @@ std::vector<Quotes::Place> Quotes::places_of(std::string_view words) const {
   return places.empty() ? places_apart(wanted) : places;
 }
 
+std::vector<Quotes::Place> Quotes::places_of(std::string_view words, std::size_t number) const {
+  const auto all = places_of(words);
+  auto same = all;
+  std::erase_if(same, [&](const Place& place) {
+    const auto begin = tokens_[place.front().begin].span.begin,
+               end = tokens_[place.back().end - 1].span.end;
+    return prompt_.substr(begin, end - begin) != words;
+  });
+  return same.size() < std::max<std::size_t>(number, 1) ? all : same;
+}
+
 // "round table" of a round oak table.
 std::vector<Quotes::Place> Quotes::places_apart(const std::vector<std::string>& wanted) const {
   constexpr std::size_t most_between = 6;
@@ -81,7 +92,7 @@ std::vector<Quotes::Place> Quotes::places_apart(const std::vector<std::string>& 
 
 std::vector<Run> Quotes::find(std::string_view quote, std::uint32_t near) const {
   const auto [words, number] = numbered(quote);
-  const auto places = places_of(words);
+  const auto places = places_of(words, number);
   if (number > 0 && number <= places.size()) return places[number - 1];
   const auto distance = [&](const Place& place) {
     return place.front().begin > near ? place.front().begin - near : near - place.front().begin;
@@ -94,7 +105,7 @@ std::vector<Run> Quotes::find(std::string_view quote, std::uint32_t near) const 
 
 std::vector<Run> Quotes::find_from(std::string_view quote, std::uint32_t from) const {
   const auto [words, number] = numbered(quote);
-  const auto places = places_of(words);
+  const auto places = places_of(words, number);
   if (number > 0 && number <= places.size()) return places[number - 1];
   const auto behind = std::find_if(places.begin(), places.end(),
                                    [&](const Place& one) { return one.front().begin >= from; });
@@ -106,7 +117,7 @@ std::string Quotes::quote(const Run& tokens) const {
   if (tokens.begin >= tokens.end || tokens.end > tokens_.size()) return "";
   const auto begin = tokens_[tokens.begin].span.begin, end = tokens_[tokens.end - 1].span.end;
   std::string words(prompt_.substr(begin, end - begin));
-  const auto places = places_of(words);
+  const auto places = places_of(words, 0);
   const auto own = std::find(places.begin(), places.end(), Place{tokens});
   if (own == places.end()) return "";
   if (places.size() > 1) words += " #" + std::to_string(own - places.begin() + 1);

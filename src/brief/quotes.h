@@ -28,6 +28,8 @@ class Quotes {
  private:
   using Place = std::vector<language::Run>;
   std::vector<Place> places_of(std::string_view words) const;
+  /// Those that are written just so, unless there are fewer than the one that is meant.
+  std::vector<Place> places_of(std::string_view words, std::size_t number) const;
   std::vector<Place> places_apart(const std::vector<std::string>& words) const;
 
   std::string_view prompt_;

@@ -13,7 +13,7 @@ using Take = AssetChoice::Kind;
 namespace {
 
 AssetOffer offer(const std::string& id, std::size_t item, std::size_t assets) {
-  AssetOffer result{id, {item}, 1, "a thing", {}, {}, {}};
+  AssetOffer result{id, {item}, 1, "a thing", {}, {}, {}, {}};
   for (std::size_t i = 0; i < assets; ++i) {
     OfferedAsset one;
     one.asset.ref.library = "shelf";

@@ -145,6 +145,31 @@ TEST_CASE("What cannot be read is told once with its place, and the rest counts"
   CHECK_FALSE(talk.reader->consultation().fell_back);
 }
 
+TEST_CASE("What no clause can hold is kept in the wish's own words, and nobody is asked again") {
+  const std::string prompt =
+      "A small loft, a frosted window and a hatch, a scroll in the alcove, crates stacked 3 high";
+  Json form = {{"room",
+                {{"type", "loft"},
+                 {"words", {"loft"}},
+                 {"clauses", {{{"is", "proportion"}, {"name", "small"}, {"words", {"small"}}}}}}},
+               {"openings",
+                {{{"kind", "window"}, {"count", 1}, {"words", {"window"}}, {"remarks", {"frosted"}}},
+                 {{"kind", "hatch"}, {"count", 1}, {"words", {"a hatch"}}}}},
+               {"things",
+                {thing("t1", "scroll", 1, {"scroll"}, {relation("in", "alcove", {"in the alcove"})}),
+                 thing("t2", "crate", 0, {"crates"})}},
+               {"remarks", {"stacked 3 high"}}};
+  Talk talk({form.dump()});
+  talk.read(prompt);
+  CHECK(talk.script->questions.size() == 1);
+  const Plan plan = talk.plan();
+  for (const char* said : {"small", "frosted", "a hatch", "in the alcove", "stacked 3 high"}) {
+    INFO(said);
+    CHECK(std::any_of(plan.requirements.begin(), plan.requirements.end(),
+                      [&](const Requirement& one) { return one.clause == said; }));
+  }
+}
+
 TEST_CASE("Where the model gives no reading rules read, and the plan says so") {
   for (const std::string& answer :
        {std::string("A lovely room!"), std::string("{}"), std::string(5000, '['),
