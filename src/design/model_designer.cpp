@@ -106,7 +106,8 @@ class ModelDesigner : public Designer {
     Consultation consultation;
     if (auto advice = told_already(request)) return *std::move(advice);
     // What lies on a thing of its group is no question: it goes there as such things do.
-    if (request.lost_place_in_group && request.object.mount == Mount::surface) return fallback_->place(request);
+    if (request.lost_place_in_group && request.object.mount == Mount::surface)
+      return make_rule_designer()->place(request);
     if (patience_.lost().empty()) {
       auto advice = ask(request, consultation);
       if (advice) {
@@ -117,8 +118,11 @@ class ModelDesigner : public Designer {
       consultation.notes.push_back(advice.error().message);
     }
     auto advice = fallback_->place(request);
-    if (!advice)
-      return with_context(advice.error(), patience_.lost().empty() ? join(consultation.notes, "; ") : patience_.lost());
+    // One answer that is of no use costs its thing; the room goes on while the model does.
+    if (!advice && patience_.lost().empty())
+      return Error{Error::Kind::invalid_input,
+                   join(consultation.notes, "; ") + "; " + advice.error().message};
+    if (!advice) return with_context(advice.error(), patience_.lost());
     consultation.fell_back = true;
     if (!patience_.lost().empty()) consultation.notes.push_back("rules take over: " + patience_.lost());
     advice->consultation = std::move(consultation);

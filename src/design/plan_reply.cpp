@@ -85,8 +85,8 @@ void leave_out_excluded(std::vector<plan::Draft>& drafts, const std::vector<std:
 // Nothing is larger than its room.
 void fit_into(const Room& room, std::vector<plan::Draft>& drafts,
               std::vector<std::string>& repairs) {
-  const double longest = bounds(room.polygon).size().maxCoeff();
-  const Vec3 most(longest, longest, room.height);
+  const double room_side = bounds(room.polygon).size().maxCoeff();
+  const Vec3 most(room_side, room_side, room.height);
   for (auto& draft : drafts) {
     if (!draft.item.size || (draft.item.size->array() <= most.array()).all()) continue;
     draft.item.size = draft.item.size->cwiseMin(most);

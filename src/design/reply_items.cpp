@@ -2,7 +2,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
+#include "brief/brief_form.h"
 #include "brief/reply_measure.h"
 #include "chat/loose_json.h"
 #include "plan_answers.h"
@@ -70,6 +72,14 @@ std::string first_kind(const std::string& text, const KindTable& table) {
     if (const brief::KindMention match = brief::mention_at(table, tokens, i); match.length > 0)
       return match.category->name;
   return "";
+}
+
+// A name that says more than the kind stands with what is said of it: "pie case, chrome".
+std::string told_with_name(const std::string& name, const std::string& description,
+                           const std::string& category) {
+  if (description.empty() || name == category) return description.empty() ? name : description;
+  const bool has_name = lower(description).find(lower(name)) != std::string::npos;
+  return has_name ? description : name + ", " + description;
 }
 
 bool names_side(const brief::Measure& measure) {
@@ -164,8 +174,7 @@ class ItemReader {
       item.category = plain_name(name);
       note("\"" + item.category + "\" is no known kind of thing");
     }
-    item.description =
-        shortened(description.empty() ? plain_name(name) : description, max_description);
+    item.description = shortened(told_with_name(plain_name(name), description, item.category), max_description);
     item.quantity = quantity_of(value, item.category);
     const Json* variance = member(value, variance_keys);
     item.varied = variance && (*variance == Json(true) || text_in(variance).starts_with("var") ||
@@ -307,11 +316,16 @@ std::string category_named(const std::string& name, const std::string& descripti
   const std::string plain = plain_name(name);
   if (const auto meant = lexicon.kind.means.find(plain); meant != lexicon.kind.means.end())
     return meant->second;
-  // English puts the kind last: an "oak writing desk" is a desk.
   if (const Kind* category = lexicon.table.find(plain)) return category->name;
-  const std::string inside = first_kind(plain, lexicon.table);
-  return inside.empty() ? first_kind(shortened(description, max_description), lexicon.table)
-                        : inside;
+  // As a wish that says so is read: English puts the kind last, a "pie case" is no pie.
+  if (const auto named = brief::name_in_form(plain, lexicon.table).kind; named.length > 0)
+    return named.is_stand_in() ? named.name : named.category->name;
+  // A name that says nothing leaves it to the description; any other is its own kind.
+  const std::set<std::string> says_nothing = {"object", "item", "thing", "piece", "furniture", "asset", "prop"};
+  const auto pieces = words(plain);
+  return !pieces.empty() && says_nothing.count(pieces.front()) + says_nothing.count(pieces.back()) > 0
+             ? first_kind(shortened(description, max_description), lexicon.table)
+             : "";
 }
 
 std::string reply_group_id(const Json& group, std::size_t number) {

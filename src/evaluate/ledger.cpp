@@ -12,6 +12,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "scene/attribute_names.h"
+#include "scene/finish_words.h"
 #include "scene/judgement.h"
 
 namespace roomgen {
@@ -77,7 +78,7 @@ class Checker {
         return judge_count(requirement);
       case Requirement::Kind::attribute:
         if (const auto material = material_of(requirement))
-          return by_fault(*material == requirement.attribute ? "" : "it is \"" + *material + "\"");
+          return by_fault(says_all(*material, requirement.attribute) ? "" : "it is \"" + *material + "\"");
         if (is_formation(requirement)) return judge_formation(requirement);
         return each(requirement,
                     [&](const Object& object) { return judge_attribute(requirement, object); });
@@ -194,8 +195,16 @@ class Checker {
     if (said.category != "accent wall") return std::nullopt;
     // Whichever wall it is.
     for (const auto& cover : materials.covers)
-      if (cover.finish == said.attribute) return cover.finish;
+      if (says_all(cover.finish, said.attribute)) return cover.finish;
     return finish_named(materials, accent_name);
+  }
+
+  // "Oak parquet" is worn as "honey oak parquet floor", too; which part it is of is known.
+  static bool says_all(const std::string& finish, const std::string& asked) {
+    const auto worn = words(finish), wanted = words(asked);
+    return std::all_of(wanted.begin(), wanted.end(), [&](const std::string& word) {
+      return finish_words().parts.count(word) || std::find(worn.begin(), worn.end(), word) != worn.end();
+    });
   }
 
   // Without the things of which another count speaks: "four novels and two art books".

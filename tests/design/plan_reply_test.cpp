@@ -116,6 +116,22 @@ TEST_CASE("The request wins over the answer") {
   CHECK(bounds(read(good, request).plan.room.polygon).size().isApprox(Vec2(7, 3)));
 }
 
+TEST_CASE("A thing is what its name ends with, whatever else its name and description speak of") {
+  const std::pair<const char*, const char*> wrong[] = {
+      {"pie case", "pie"}, {"napkin dispenser", "napkin"}, {"gumball machine", "ball"},
+      {"butterfly cabinet", "butterfly"}, {"gaslight", "wall lamp"}};
+  for (const auto& [name, other] : wrong) {
+    INFO(name);
+    const auto reply = read(with_object(std::string(R"({"name": ")") + name +
+                                        R"(", "description": "brass, beside a wall lamp",
+                                           "size_cm": [30, 30, 40]})"));
+    REQUIRE(reply.plan.items.size() == 1);
+    CHECK(reply.plan.items[0].category != other);
+    if (reply.plan.items[0].category != name)
+      CHECK(reply.plan.items[0].description == std::string(name) + ", brass, beside a wall lamp");
+  }
+}
+
 TEST_CASE("Objects are understood however they are written") {
   struct Written {
     const char* object;
