@@ -309,7 +309,8 @@ class FormRoom {
     wish.kind = kind->name;
     wish.type = kind->type;
     const auto count = node["count"].number();
-    wish.count = static_cast<int>(std::clamp(count.value_or(1.0), 0.0, 12.0));
+    constexpr double some = 2.0;
+    wish.count = static_cast<int>(std::clamp(count.value_or(some), 0.0, 12.0));
     wish.counted = count.has_value();
     wish.width = length_in(node["width"]), wish.height = length_in(node["height"]);
     place_opening(node, wish);

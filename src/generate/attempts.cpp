@@ -185,13 +185,38 @@ void note(const Placement& placement, Attempt& attempt) {
   attempt.runner_up = placement.runner_up;
 }
 
+namespace {
+
+Result<Placement> place_with_its_own(Work& work, const PlannedObject& planned, PlacementTask& task,
+                                     const PlaceOptions& options) {
+  if (begins_group(work, planned)) return place_with_group(work, planned, task, options);
+  return place(work.layout(), task, {}, options, work.state.random);
+}
+
+// Just where it was said.
+PlaceOptions insisting(const Work& work, const PlacementTask& task) {
+  constexpr double just_there = 0.05;  // metres
+  PlaceOptions options = work.place_options();
+  options.even_useless = true;
+  options.accepts = [at = *task.location](const Pose& pose) {
+    return (pose.position - at).norm() <= just_there;
+  };
+  return options;
+}
+
+}  // namespace
+
 Result<Attempt> try_to_place(Work& work, const PlannedObject& planned, const AssetInfo& asset,
                              const PlaceAdvice& advice, std::size_t refused, PlacementTask& task) {
   if (auto status = follow(work, advice, planned, refused, task); !status) return status.error();
   Attempt attempt = begun(asset, advice);
-  auto placed = begins_group(work, planned)
-                    ? place_with_group(work, planned, task)
-                    : place(work.layout(), task, {}, work.place_options(), work.state.random);
+  auto placed = place_with_its_own(work, planned, task, work.place_options());
+  // What is said again is meant, even if nobody can use it there.
+  if (!placed && refused > 0 && task.location && !advice.usual) {
+    placed = place_with_its_own(work, planned, task, insisting(work, task));
+    if (placed)
+      work.place.plan.notes.push_back(planned.id + " stands where the designer put it again; there it, or what is near, cannot be used as usual");
+  }
   if (placed) {
     note(*placed, attempt);
     work.layout().add(placed->object);

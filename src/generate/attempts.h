@@ -28,7 +28,8 @@ bool begins_group(const Work& work, const PlannedObject& planned);
 
 /// Places the group of an anchor as one thing; the others take their places when their turn comes.
 /// `asset` is that of the anchor. Fails with what is in the way.
-Result<Placement> place_with_group(Work& work, const PlannedObject& planned, PlacementTask& task);
+Result<Placement> place_with_group(Work& work, const PlannedObject& planned, PlacementTask& task,
+                                   const PlaceOptions& options);
 
 /// The task of an anchor with all that stands about it in the first way of its group; else as it
 /// is.

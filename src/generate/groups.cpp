@@ -193,7 +193,8 @@ bool begins_group(const Work& work, const PlannedObject& planned) {
   return role && role->is_anchor && !work.state.tried_groups.count(role->group);
 }
 
-Result<Placement> place_with_group(Work& work, const PlannedObject& planned, PlacementTask& task) {
+Result<Placement> place_with_group(Work& work, const PlannedObject& planned, PlacementTask& task,
+                                   const PlaceOptions& options) {
   const std::string& id = work.role_of(planned.id)->group;
   task.object.group = name_in_scene(work, *work.role_of(planned.id));
   Cast cast = cast_of(work, task, id);
@@ -207,8 +208,7 @@ Result<Placement> place_with_group(Work& work, const PlannedObject& planned, Pla
   const auto thing_of = [&](const Member& member) {
     return loose.count(cast.id_of(member)) > 0 ? nullptr : cast.object_of(member);
   };
-  auto placed = place_group(work.layout(), whole, {*ways, thing_of}, work.place_options(),
-                            work.state.random);
+  auto placed = place_group(work.layout(), whole, {*ways, thing_of}, options, work.state.random);
   if (!placed) return placed.error();
   StandingGroup standing{id, is_whole, {}, std::move(placed->task), {}};
   const auto& members = (*ways)[placed->way].members;

@@ -69,6 +69,7 @@ std::optional<std::size_t> ExactChoice::first_deferred_that_passes(double bar) {
 bool ExactChoice::passes(std::size_t i) {
   --tests_left_;
   Layout::Candidate candidate = layout_.candidate(task_);
+  candidate.even_useless = even_useless_;
   candidate.object = at_pose(object_, scored_[i].pose);
   const bool passed{layout_.fits_exactly(candidate)};
   if (!passed) ++failures_[cell(i)];

@@ -36,6 +36,7 @@ class ExactChoice {
         order_(std::move(order)),
         clearly_(clearly),
         cancel_(options.cancel),
+        even_useless_(options.even_useless),
         tests_left_(options.max_exact_tests) {}
 
   /// The next candidate that passes, if any: an index of `scored`.
@@ -59,6 +60,7 @@ class ExactChoice {
   std::size_t next_ = 0, next_deferred_ = 0;
   double clearly_;
   const CancelToken& cancel_;
+  const bool even_useless_;
   int tests_left_;
 };
 

@@ -223,7 +223,9 @@ Layout::Verdict Layout::fits_exactly(const Candidate& whole) {
   const std::size_t before = objects_.size();
   add(whole.object);
   for (const auto& object : companions_of(task, whole.object)) {
-    verdict = fits_alone_exactly(candidate(object));
+    Candidate companion = candidate(object);
+    companion.even_useless = whole.even_useless;
+    verdict = fits_alone_exactly(companion);
     if (!verdict) break;
     add(object);
   }
@@ -240,8 +242,8 @@ Layout::Verdict Layout::fits_alone_exactly(const Candidate& candidate) {
   if (!blocks_floor(object, *candidate.category)) return {};
 
   things_.push_back({&object, candidate.category, own});
-  Verdict verdict = all_have_a_free_zone();
-  if (verdict) verdict = all_are_usable_with(own);
+  Verdict verdict = candidate.even_useless ? Verdict() : all_have_a_free_zone();
+  if (verdict) verdict = all_are_usable_with(own, candidate.even_useless);
   things_.pop_back();
   return verdict;
 }
@@ -267,13 +269,13 @@ Layout::Verdict Layout::all_have_a_free_zone() const {
   return {};
 }
 
-Layout::Verdict Layout::all_are_usable_with(const Footprint& newcomer) {
+Layout::Verdict Layout::all_are_usable_with(const Footprint& newcomer, bool even_useless) {
   bring_occupancy_up_to_date();
   occupancy_.add(newcomer);
   occupancy_.flood();
   Verdict verdict;
   if (!occupancy_.doors_connected()) verdict = {false};
-  for (std::size_t i = 0; i < things_.size() && verdict; ++i)
+  for (std::size_t i = 0; i < things_.size() && verdict && !even_useless; ++i)
     if (!is_usable_still(i)) verdict = blame(i);
   occupancy_.remove(newcomer);
   return verdict;

@@ -84,6 +84,7 @@ class Layout {
     /// What is placed together with it, each in its frame.
     struct Companion;
     std::vector<Companion> companions = {};
+    bool even_useless = false;  ///< as PlaceOptions has it
   };
   Candidate candidate(const Object& object) const;
   Candidate candidate(const PlacementTask& task) const;
@@ -120,7 +121,7 @@ class Layout {
   Verdict all_have_a_free_zone() const;
   bool keeps_free_zone(std::size_t i) const;
   bool is_usable_still(std::size_t i) const;
-  Verdict all_are_usable_with(const Footprint& newcomer);
+  Verdict all_are_usable_with(const Footprint& newcomer, bool even_useless);
   Verdict blame(std::size_t useless) const;
 
   const Room& room_;

@@ -102,6 +102,9 @@ struct PlaceOptions {
   std::vector<Pose> except = {};
   /// Other poses are left out, if it is set; asked of those that pass the cheap tests.
   std::function<bool(const Pose&)> accepts = {};
+  /// Also where it, or what stands already, could be used or reached by nobody; from door to door one
+  /// walks all the same.
+  bool even_useless = false;
   /// Ends the search with Error::Kind::cancelled.
   CancelToken cancel = {};
 
