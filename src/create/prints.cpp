@@ -46,14 +46,29 @@ std::string spelt(std::string_view text) {
         if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
       return upper;
     }();
-    if (is_said && is_capital) result.push_back(piece);
-    else if (is_said) break;
+    if (is_said && is_capital)
+      result.push_back(piece);
+    else if (is_said)
+      break;
     if (std::find(verbs.begin(), verbs.end(), lower(piece)) != verbs.end()) is_said = true;
   }
   return join(result, " ");
 }
 
 }  // namespace
+
+std::string in_lines(std::string_view words) {
+  constexpr std::size_t longest_line = 10;  // letters
+  if (words.find('\n') != std::string_view::npos) return std::string(words);
+  std::string result;
+  std::size_t line = 0;
+  for (const auto& word : split(words, ' ')) {
+    if (!result.empty()) result += line + 1 + word.size() > longest_line ? '\n' : ' ';
+    line = result.empty() || result.back() == '\n' ? word.size() : line + 1 + word.size();
+    result += word;
+  }
+  return result;
+}
 
 Print print_in(std::string_view description) {
   Print print;

@@ -12,5 +12,8 @@ struct Print {
   std::string words;    ///< in quotes, or after "says" and the like; may be of several lines
 };
 
+/// Words in lines of about ten letters, as posters have them.
+std::string in_lines(std::string_view words);
+
 Print print_in(std::string_view description);
 }  // namespace roomgen::create

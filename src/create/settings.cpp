@@ -105,7 +105,8 @@ class Chooser {
     const bool is_sign = kind_.set.count("words") > 0;
     const std::string words =
         print.words.empty() && is_sign ? shape::text_in(description_.prompt) : print.words;
-    set("words", words);
+    const bool is_large = is_sign || print.motif.empty();
+    set("words", is_large ? in_lines(words) : words);
     if (!words.empty()) (void)set_word("light_style", "neon word");
   }
 

@@ -37,8 +37,8 @@ Canvas::Rows Canvas::crossings(const Outlines& outlines, int low, int high) cons
       const auto [top, bottom] = std::minmax(a.y(), b.y());
       for (std::size_t row = row_at(top); row < row_at(bottom); ++row) {
         const double y = low + (static_cast<double>(row) + 0.5) / row_samples;
-        rows[row].push_back({a.x() + (y - a.y()) * (b.x() - a.x()) / (b.y() - a.y()),
-                             a.y() < b.y() ? 1 : -1});
+        rows[row].push_back(
+            {a.x() + (y - a.y()) * (b.x() - a.x()) / (b.y() - a.y()), a.y() < b.y() ? 1 : -1});
       }
     }
   return rows;

@@ -70,32 +70,40 @@ class Sketcher {
     json.allow_only({"ground", "colors", "shapes"});
     Inherited around;
     around.colors = colors(json["colors"]);
-    ground_ = recolored(ground(json), around.colors);
+    ground_ = recolored(ground(json, !around.colors.empty()), around.colors);
     shapes(json["shapes"], around);
     return {ground_, std::move(paints_)};
   }
 
  private:
+  Vec2 vec2_or(const JsonReader& json, const Vec2& fallback, double low = -farthest) const {
+    return json.exists() ? numbers_.vec2(json, low, farthest) : fallback;
+  }
+
   Tint own_color(const JsonReader& json) const {
     const Rgb rgb = detail::read_color(json, numbers_);
     return {static_cast<double>(rgb[0]), static_cast<double>(rgb[1]), static_cast<double>(rgb[2])};
   }
 
-  // One colour, or several of which the seed takes one.
-  Tint one_of(const JsonReader& json) const {
+  // One colour, or several: of these the seed takes one, a palette the lightest.
+  Tint one_of(const JsonReader& json, bool lightest) const {
     if (!json.is_array()) return own_color(json);
-    const auto choices = json.elements(64);
+    std::vector<Tint> choices;
+    for (const auto& choice : json.elements(64)) choices.push_back(own_color(choice));
     if (choices.empty()) return paper;
-    return own_color(Random(seed_).fork("ground").pick(choices));
+    if (!lightest) return Random(seed_).fork("ground").pick(choices);
+    return *std::max_element(choices.begin(), choices.end(), [](const Tint& a, const Tint& b) {
+      return lightness(a) < lightness(b);
+    });
   }
 
   // Its own, else that of the first motif, else paper.
-  Tint ground(const JsonReader& json) const {
-    if (json["ground"].exists()) return one_of(json["ground"]);
+  Tint ground(const JsonReader& json, bool lightest) const {
+    if (json["ground"].exists()) return one_of(json["ground"], lightest);
     for (const auto& shape : json["shapes"].elements(most_shapes)) {
       if (!shape.is_object() || !shape["use"].exists()) continue;
       const Motif* motif = find_motif(numbers_.word(shape["use"], ""));
-      if (motif) return one_of(JsonReader(*motif->drawing, own_problems_)["ground"]);
+      if (motif) return one_of(JsonReader(*motif->drawing, own_problems_)["ground"], lightest);
     }
     return paper;
   }
@@ -114,9 +122,8 @@ class Sketcher {
       return result;
     }
     for (const auto& element : json.elements_or_none(16)) result.push_back(own_color(element));
-    std::stable_sort(result.begin(), result.end(), [](const Tint& a, const Tint& b) {
-      return lightness(a) < lightness(b);
-    });
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Tint& a, const Tint& b) { return lightness(a) < lightness(b); });
     return result;
   }
 
@@ -134,10 +141,10 @@ class Sketcher {
 
   void copies(const JsonReader& json, const Inherited& outer) {
     if (!numbers_.spend(json, 10)) return;
-    json.allow_only({"polygon", "curve", "circle", "ellipse", "rectangle", "line", "text",
-                     "use", "group", "corners", "round", "height", "align", "fit", "size", "colors",
-                     "fill", "stroke", "width", "opacity", "at", "turn", "scale", "mirror",
-                     "repeat", "scatter", "when"});
+    json.allow_only({"polygon", "curve",  "circle",  "ellipse", "rectangle", "line",    "text",
+                     "use",     "group",  "corners", "round",   "height",    "align",   "fit",
+                     "size",    "colors", "fill",    "stroke",  "width",     "opacity", "at",
+                     "turn",    "scale",  "mirror",  "repeat",  "scatter",   "when"});
     if (numbers_.failed()) return;
     if (json["when"].exists() && numbers_.number(json["when"], -1e9, 1e9) == 0.0) return;
     Inherited around = outer;
@@ -162,10 +169,12 @@ class Sketcher {
     const Vec2 middle = is_motif || json["text"].exists() ? Vec2(0.5, 0.5) : Vec2(0, 0);
     const JsonReader at = json["at"], scale = json[is_motif ? "size" : "scale"];
     Place place = Place::Identity();
-    place.translate(at.exists() ? numbers_.vec2(at, -farthest, farthest) : middle);
+    place.translate(vec2_or(at, middle));
     place.rotate(numbers_.angle_or(json["turn"], 0.0, -3600.0, 3600.0));
-    if (scale.is_array()) place.scale(numbers_.vec2(scale, -farthest, farthest));
-    else place.scale(numbers_.number_or(scale, 1.0, -farthest, farthest));
+    if (scale.is_array())
+      place.scale(numbers_.vec2(scale, -farthest, farthest));
+    else
+      place.scale(numbers_.number_or(scale, 1.0, -farthest, farthest));
     if (is_motif) place.translate(Vec2(-0.5, -0.5));
     return place;
   }
@@ -174,7 +183,7 @@ class Sketcher {
   std::vector<Place> repeated(const JsonReader& json) const {
     json.allow_only({"count", "step", "turn", "scale"});
     const int count = numbers_.whole(json["count"], 1, most_copies);
-    const Vec2 step = json["step"].exists() ? numbers_.vec2(json["step"], -farthest, farthest) : Vec2(0, 0);
+    const Vec2 step = vec2_or(json["step"], {0, 0});
     const double turn = numbers_.angle_or(json["turn"], 0.0, -3600.0, 3600.0);
     const double scale = numbers_.number_or(json["scale"], 1.0, 0.1, 10.0);
     std::vector<Place> result;
@@ -191,9 +200,9 @@ class Sketcher {
   std::vector<Place> scattered(const JsonReader& json, const std::vector<Place>& copies) const {
     json.allow_only({"count", "from", "to", "scale", "turn", "seed"});
     const int count = numbers_.whole(json["count"], 1, most_copies);
-    const Vec2 from = json["from"].exists() ? numbers_.vec2(json["from"], -farthest, farthest) : Vec2(0, 0);
-    const Vec2 to = json["to"].exists() ? numbers_.vec2(json["to"], -farthest, farthest) : Vec2(1, 1);
-    const Vec2 scale = json["scale"].exists() ? numbers_.vec2(json["scale"], 0.01, farthest) : Vec2(1, 1);
+    const Vec2 from = vec2_or(json["from"], {0, 0});
+    const Vec2 to = vec2_or(json["to"], {1, 1});
+    const Vec2 scale = vec2_or(json["scale"], {1, 1}, 0.01);
     const double turn = numbers_.angle_or(json["turn"], 0.0, 0.0, 360.0);
     const int own = numbers_.whole_or(json["seed"], 0, 0, 1'000'000);
     Random random(seed_ * 1'000'003u + static_cast<std::uint64_t>(own));
@@ -227,8 +236,8 @@ class Sketcher {
                                  : "nothing to paint with: \"fill\" or \"stroke\" is missing");
     if (fill.exists() && !is_line) paint(json, {{line.points}, color(fill, around), 1.0}, around);
     if (stroke.exists())
-      pen(json, {line}, color(stroke, around),
-          numbers_.number_or(json["width"], 0.01, 0.0005, 2.0), around);
+      pen(json, {line}, color(stroke, around), numbers_.number_or(json["width"], 0.01, 0.0005, 2.0),
+          around);
   }
 
   DrawnLine outline(const JsonReader& json) const {
@@ -241,14 +250,16 @@ class Sketcher {
       const double radius = numbers_.number(json["circle"], 0.0005, farthest);
       return {ellipse(Vec2::Constant(2 * radius), drawn_tolerance).points, true};
     }
-    if (json["ellipse"].exists()) return {ellipse(numbers_.vec2(json["ellipse"], 0.001, farthest), drawn_tolerance).points, true};
+    if (json["ellipse"].exists())
+      return {ellipse(vec2_or(json["ellipse"], {1, 1}, 0.001), drawn_tolerance).points, true};
     if (json["rectangle"].exists()) {
       const Vec2 size = numbers_.vec2(json["rectangle"], 0.001, 2 * farthest);
       const double round = numbers_.number_or(json["round"], 0.0, 0.0, farthest);
       return {polyline(rectangle(size, round, drawn_tolerance), drawn_tolerance), true};
     }
-    json.report("no shape; expected one of polygon, curve, circle, ellipse, rectangle, line, text, "
-                "use, group");
+    json.report(
+        "no shape; expected one of polygon, curve, circle, ellipse, rectangle, line, text, "
+        "use, group");
     return {};
   }
 
@@ -264,13 +275,14 @@ class Sketcher {
     const double height = numbers_.number_or(json["height"], 0.1, 0.002, 2.0);
     const auto align = detail::read_align(json["align"], numbers_);
     std::vector<DrawnLine> lines;
-    const Vec2 fit = json["fit"].exists() ? numbers_.vec2(json["fit"], 0.0, farthest) : Vec2(0, 0);
+    const Vec2 fit = vec2_or(json["fit"], {0, 0}, 0.0);
     const std::string words = detail::read_words(json["text"], numbers_);
-    for (const auto& curve : lettering(words, align, height, fit))
+    const Lettering letters = lettering(words, align, height, fit);
+    for (const auto& curve : letters.lines)
       lines.push_back({polyline(curve, drawn_tolerance), curve.closed});
     if (!json["fill"].exists()) return json.report("text needs \"fill\", its colour");
-    pen(json, lines, color(json["fill"], around),
-        numbers_.number_or(json["width"], pen_of_letters * height, 0.0005, 1.0), around);
+    const double width = numbers_.number_or(json["width"], pen_of_letters * height, 0.0005, 1.0);
+    pen(json, lines, color(json["fill"], around), width * letters.height / height, around);
   }
 
   void motif(const JsonReader& json, Inherited around) {
@@ -288,8 +300,8 @@ class Sketcher {
     shapes(JsonReader(*motif->drawing, own_problems_)["shapes"], around);
   }
 
-  void pen(const JsonReader& json, const std::vector<DrawnLine>& lines, const Tint& color, double width,
-           const Inherited& around) {
+  void pen(const JsonReader& json, const std::vector<DrawnLine>& lines, const Tint& color,
+           double width, const Inherited& around) {
     const double scale = std::sqrt(std::abs(around.place.linear().determinant()));
     Paint result{{}, color, 1.0};
     for (const auto& line : lines) {
@@ -340,7 +352,8 @@ Json concrete(const JsonReader& json, const Numbers& numbers, std::string_view k
   if (raw.is_array())
     for (const auto& element : json.elements()) result.push_back(concrete(element, numbers, key));
   else
-    for (const auto& [name, member] : json.members()) result[name] = concrete(member, numbers, name);
+    for (const auto& [name, member] : json.members())
+      result[name] = concrete(member, numbers, name);
   return result;
 }
 

@@ -30,7 +30,8 @@ Drawing read_drawing(const JsonReader& json, const detail::Numbers& numbers, std
 /// The same drawing with all formulas and "$names" put in, as a text that paint_drawing() takes.
 std::string concrete_drawing(const JsonReader& json, const detail::Numbers& numbers);
 
-/// Of this width to height (0.2 to 5), its longer side 512 pixels; white where the text is no drawing.
+/// Of this width to height (0.2 to 5), its longer side 512 pixels; white where the text is no
+/// drawing.
 Image paint_drawing(const std::string& text, std::uint64_t seed, double aspect);
 
 }  // namespace roomgen::shape

@@ -79,8 +79,7 @@ double add_line(std::string_view words, std::vector<Curve<Vec2>>& lines) {
 
 }  // namespace
 
-std::vector<Curve<Vec2>> lettering(std::string_view words, Align align, double height,
-                                   const Vec2& fit) {
+Lettering lettering(std::string_view words, Align align, double height, const Vec2& fit) {
   std::vector<Curve<Vec2>> result;
   const auto rows = split(words.substr(0, most_letters), '\n');
   const double tall = font().line * static_cast<double>(rows.size() - 1) + 1.0;
@@ -90,7 +89,8 @@ std::vector<Curve<Vec2>> lettering(std::string_view words, Align align, double h
     const double width = add_line(rows[row], lines);
     widest = std::max(widest, width);
     const double share = align == Align::left ? 0.0 : align == Align::center ? 0.5 : 1.0;
-    const Vec2 move(-share * width, tall - 1.0 - font().line * static_cast<double>(row) - 0.5 * tall);
+    const Vec2 move(-share * width,
+                    tall - 1.0 - font().line * static_cast<double>(row) - 0.5 * tall);
     for (auto& line : lines) {
       for (auto& point : line.points) point += move;
       result.push_back(std::move(line));
@@ -100,7 +100,7 @@ std::vector<Curve<Vec2>> lettering(std::string_view words, Align align, double h
   if (fit.y() > 0.0) height = std::min(height, fit.y() / tall);
   for (auto& line : result)
     for (auto& point : line.points) point *= height;
-  return result;
+  return {std::move(result), height};
 }
 
 }  // namespace roomgen::shape

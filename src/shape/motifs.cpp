@@ -30,7 +30,8 @@ std::string in_singular(std::string_view text) {
 void add_names(const Json& json, std::map<std::string, std::string>& names) {
   const auto name = json["name"].get<std::string>();
   names.emplace(in_singular(name), name);
-  for (const auto& other : json["words"]) names.emplace(in_singular(other.get<std::string>()), name);
+  for (const auto& other : json["words"])
+    names.emplace(in_singular(other.get<std::string>()), name);
 }
 
 const MotifTable& motif_table() {
@@ -42,10 +43,12 @@ const MotifTable& motif_table() {
       result.motifs[name] = {name, !json.value("fixed", false), &json};
       add_names(json, result.motif_of);
     }
-    for (const auto& phrase : file["no_motifs"]) result.motif_of[in_singular(phrase.get<std::string>())];
+    for (const auto& phrase : file["no_motifs"])
+      result.motif_of[in_singular(phrase.get<std::string>())];
     for (const auto& json : file["texts"])
       for (const auto& phrase : json["words"])
-        result.text_of.emplace(in_singular(phrase.get<std::string>()), json["text"].get<std::string>());
+        result.text_of.emplace(in_singular(phrase.get<std::string>()),
+                               json["text"].get<std::string>());
     for (const auto& json : file["palettes"]) {
       result.palettes[json["name"]] = json["colors"].get<std::vector<std::string>>();
       add_names(json, result.palette_of);
@@ -56,14 +59,16 @@ const MotifTable& motif_table() {
 }
 
 // What the words call by one of these names, the longest names first.
-std::vector<std::string> names_said(std::string_view text, const std::map<std::string, std::string>& names) {
+std::vector<std::string> names_said(std::string_view text,
+                                    const std::map<std::string, std::string>& names) {
   const auto pieces = words(in_singular(text));
   std::vector<std::string> result;
   for (std::size_t from = 0; from < pieces.size();) {
     std::size_t count = std::min(longest_name, pieces.size() - from);
     for (; count > 0; --count) {
-      const auto found = names.find(
-          join({pieces.begin() + static_cast<long>(from), pieces.begin() + static_cast<long>(from + count)}, " "));
+      const auto found = names.find(join({pieces.begin() + static_cast<long>(from),
+                                          pieces.begin() + static_cast<long>(from + count)},
+                                         " "));
       if (found == names.end()) continue;
       if (!found->second.empty() &&
           std::find(result.begin(), result.end(), found->second) == result.end())

@@ -41,6 +41,15 @@ bool is_choice(const Parameter& parameter, const std::string& word) {
          parameter.choices.end();
 }
 
+std::string objection_to_word(const Parameter& parameter, const std::string& word) {
+  if (!wants_word(parameter)) return "\"" + word + "\" is no number";
+  if (parameter.color)
+    return parse_color(word) ? "" : "\"" + word + "\" is no colour; write \"#rrggbb\" or a name";
+  if (parameter.text) return word.size() <= max_text ? "" : "longer than 240 bytes";
+  if (is_choice(parameter, word)) return "";
+  return "\"" + word + "\" is none of " + join(parameter.choices, ", ");
+}
+
 Parameter read_number(const JsonReader& json, Parameter parameter) {
   json.allow_only({"value", "min", "max", "integer", "about"});
   parameter.integer = json["integer"].boolean_or(false);
@@ -91,19 +100,15 @@ std::vector<Parameter> read_parameters(const JsonReader& parameters) {
   return result;
 }
 
+bool wants_word(const Parameter& parameter) {
+  return !parameter.choices.empty() || parameter.color || parameter.text;
+}
+
 std::string objection(const Parameter& parameter, const Value& value) {
-  const bool wants_word = !parameter.choices.empty() || parameter.color || parameter.text;
-  if (const auto* word = std::get_if<std::string>(&value)) {
-    if (!wants_word) return "\"" + *word + "\" is no number";
-    if (parameter.color)
-      return parse_color(*word) ? ""
-                                : "\"" + *word + "\" is no colour; write \"#rrggbb\" or a name";
-    if (parameter.text) return word->size() <= max_text ? "" : "longer than 240 bytes";
-    if (is_choice(parameter, *word)) return "";
-    return "\"" + *word + "\" is none of " + join(parameter.choices, ", ");
-  }
+  if (const auto* word = std::get_if<std::string>(&value))
+    return objection_to_word(parameter, *word);
   const double number = std::get<double>(value);
-  if (wants_word)
+  if (wants_word(parameter))
     return parameter.color  ? "expected a colour"
            : parameter.text ? "expected words"
                            : "expected one of " + join(parameter.choices, ", ");
@@ -156,7 +161,7 @@ Result<std::vector<Parameter>> describe_parameters(const Json& recipe, const std
 }
 
 Value parameter_value(const Parameter& parameter, const std::string& text) {
-  if (!parameter.choices.empty() || parameter.color || parameter.text) return text;
+  if (detail::wants_word(parameter)) return text;
   double number = 0.0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (code != std::errc() || end != text.data() + text.size()) return text;

@@ -219,7 +219,7 @@ class Builder {
 
   static Value argument(const JsonReader& json, const Parameter& parameter,
                         const Numbers& numbers) {
-    if (parameter.choices.empty() && !parameter.color && !parameter.text) {
+    if (!wants_word(parameter)) {
       Value value = numbers.value(json);
       if (auto* number = std::get_if<double>(&value)) *number = roomgen::rounded(*number, 6);
       return value;

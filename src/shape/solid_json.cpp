@@ -416,7 +416,7 @@ std::string read_words(const JsonReader& json, const Numbers& numbers) {
   const std::string words = numbers.word(json, "");
   if (words.size() > most_letters)
     json.report("more than " + std::to_string(most_letters) + " letters");
-  else if (lettering(words, Align::left, 1.0).empty())
+  else if (lettering(words, Align::left, 1.0).lines.empty())
     json.report("no letter in these words; there are A to Z, 0 to 9 and common marks");
   return words;
 }

@@ -69,17 +69,18 @@ Mesh stood_up(Mesh mesh, double back) {
   return mesh;
 }
 
-Result<Mesh> flat_letters(const std::vector<Loop>& lines, const TextPart& part, double tolerance) {
-  const auto loops = around_lines(lines, part.width, tolerance);
+Result<Mesh> flat_letters(const std::vector<Loop>& lines, double width, double depth,
+                          double tolerance) {
+  const auto loops = around_lines(lines, width, tolerance);
   SurfaceBuilder surface;
   for (const auto& loop : loops) {
     Skin side;
-    side.rows = {raised(loop, 0.0), raised(loop, part.depth)};
+    side.rows = {raised(loop, 0.0), raised(loop, depth)};
     add_skin(surface, side);
   }
   add_level_cap(surface, loops, 0.0, false);
-  add_level_cap(surface, loops, part.depth, true);
-  return stood_up(surface.mesh(), 0.5 * part.depth);
+  add_level_cap(surface, loops, depth, true);
+  return stood_up(surface.mesh(), 0.5 * depth);
 }
 
 Result<Mesh> text_mesh(const TextPart& part, double tolerance) {
@@ -88,7 +89,8 @@ Result<Mesh> text_mesh(const TextPart& part, double tolerance) {
                                               : Align::center;
   std::vector<Loop> lines;
   Mesh tubes;
-  for (const auto& curve : lettering(part.words, align, part.height, part.fit)) {
+  const Lettering letters = lettering(part.words, align, part.height, part.fit);
+  for (const auto& curve : letters.lines) {
     Loop line = polyline(curve, 0.5 * tolerance);
     if (curve.closed) line.push_back(line.front());
     if (part.radius == 0.0) {
@@ -102,7 +104,7 @@ Result<Mesh> text_mesh(const TextPart& part, double tolerance) {
     append_mesh(tubes, *tube);
   }
   if (part.radius > 0.0) return stood_up(std::move(tubes), 0.0);
-  return flat_letters(lines, part, tolerance);
+  return flat_letters(lines, part.width * letters.height / part.height, part.depth, tolerance);
 }
 
 constexpr double finest_retry = 0.0005;  // metres

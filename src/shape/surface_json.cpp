@@ -29,7 +29,8 @@ Rgb read_color(const JsonReader& json, const Numbers& numbers) {
 }
 
 Surface read_surface(const std::string& name, const JsonReader& json, const Numbers& numbers) {
-  json.allow_only({"color", "roughness", "metalness", "opacity", "pattern", "second", "scale", "glow"});
+  json.allow_only(
+      {"color", "roughness", "metalness", "opacity", "pattern", "second", "scale", "glow"});
   Surface surface;
   surface.name = name;
   if (!json["color"].exists())

@@ -58,7 +58,7 @@ TEST_CASE("Pictures show what was said, and signs spell it") {
       {"a large painting of mountains", R"("use":"mountains")"},
       {"a tapestry with a dragon", R"("use":"dragon")"},
       {"a star map poster", R"("use":"star chart")"},
-      {"a poster that says \"STAY CURIOUS\"", R"("text":"STAY CURIOUS")"},
+      {"a poster that says \"STAY CURIOUS\"", R"("text":"STAY\nCURIOUS")"},
       {"a chalkboard menu", R"("text":"MENU)"},
       {"a neon sign that says \"HELLO\"", R"("words":"HELLO")"},
       {"a wooden sign that says \"Bakery\"", R"("words":"Bakery")"}};

@@ -25,8 +25,8 @@ Json drawing_of(const std::string& shapes) {
 
 std::string fault(const Json& drawing) {
   const Json component = {{"name", "a"}, {"picture", {{"size", {1, 1}}, {"drawing", drawing}}}};
-  const auto program = read_program(
-      {{"format", "roomgen-shape"}, {"components", Json::array({component})}}, "test");
+  const auto program =
+      read_program({{"format", "roomgen-shape"}, {"components", Json::array({component})}}, "test");
   return program ? "" : program.error().message;
 }
 
@@ -44,7 +44,8 @@ std::vector<double> coarse(const Image& image) {
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
       for (int k = 0; k < 3; ++k)
-        sums[static_cast<std::size_t>((y * cells / image.height * cells + x * cells / image.width) * 3 + k)] +=
+        sums[static_cast<std::size_t>(
+            (y * cells / image.height * cells + x * cells / image.width) * 3 + k)] +=
             image.at(x, y)[k];
   for (auto& sum : sums) sum *= cells * cells / static_cast<double>(image.width * image.height);
   return sums;
@@ -68,12 +69,23 @@ Json random_shape(Random& random) {
   };
   Json shape = {{"fill", random.chance(0.5) ? "navy" : "#c8443a"}, {"opacity", number(0, 1)}};
   switch (random.integer(0, 5)) {
-    case 0: shape["polygon"] = points(random.integer(3, 9)); break;
-    case 1: shape["curve"] = points(random.integer(3, 9)); break;
-    case 2: shape["circle"] = number(0.01, 0.5); break;
-    case 3: shape["rectangle"] = {number(0.01, 1), number(0.01, 1)}; break;
-    case 4: shape["text"] = "ABC 123\nxyz?"; break;
-    default: shape["use"] = random.pick(motif_names());
+    case 0:
+      shape["polygon"] = points(random.integer(3, 9));
+      break;
+    case 1:
+      shape["curve"] = points(random.integer(3, 9));
+      break;
+    case 2:
+      shape["circle"] = number(0.01, 0.5);
+      break;
+    case 3:
+      shape["rectangle"] = {number(0.01, 1), number(0.01, 1)};
+      break;
+    case 4:
+      shape["text"] = "ABC 123\nxyz?";
+      break;
+    default:
+      shape["use"] = random.pick(motif_names());
   }
   const double x = number(-1, 2), y = number(-1, 2);
   shape["at"] = {x, y};
@@ -89,8 +101,9 @@ Json random_shape(Random& random) {
 int stretches(const Mesh& mesh) {
   std::vector<std::pair<float, float>> spans;
   for (const auto& triangle : mesh.triangles) {
-    const auto [low, high] = std::minmax({mesh.positions[triangle[0]].x(), mesh.positions[triangle[1]].x(),
-                                          mesh.positions[triangle[2]].x()});
+    const auto [low, high] =
+        std::minmax({mesh.positions[triangle[0]].x(), mesh.positions[triangle[1]].x(),
+                     mesh.positions[triangle[2]].x()});
     spans.emplace_back(low, high);
   }
   std::sort(spans.begin(), spans.end());
@@ -104,9 +117,10 @@ int stretches(const Mesh& mesh) {
 }
 
 Mesh text_mesh_of(const Json& text) {
-  const auto program = read_program(
-      {{"format", "roomgen-shape"},
-       {"components", Json::array({Json{{"name", "a"}, {"text", text}}})}}, "test");
+  const auto program =
+      read_program({{"format", "roomgen-shape"},
+                    {"components", Json::array({Json{{"name", "a"}, {"text", text}}})}},
+                   "test");
   REQUIRE(program);
   const auto shape = evaluate(*program);
   INFO((shape ? "" : shape.error().message));
@@ -146,7 +160,8 @@ TEST_CASE("Random drawings are painted, and equal ones equally") {
   Random random(7);
   for (int round = 0; round < 25; ++round) {
     Json drawing = {{"ground", {"cream", "#103050"}}, {"shapes", Json::array()}};
-    for (int k = random.integer(1, 8); k > 0; --k) drawing["shapes"].push_back(random_shape(random));
+    for (int k = random.integer(1, 8); k > 0; --k)
+      drawing["shapes"].push_back(random_shape(random));
     if (random.chance(0.3)) drawing["colors"] = "ink";
     INFO(drawing.dump());
     CHECK(fault(drawing) == "");
@@ -192,18 +207,21 @@ TEST_CASE("What is wrong with a drawing is said, and where") {
 TEST_CASE("Every motif shows something of its own, whatever the shape of the picture") {
   const auto names = motif_names();
   REQUIRE(names.size() >= 45);
-  std::vector<std::vector<double>> seen;
+  const std::vector<double> aspects = {0.6, 1.0, 1.7};
+  std::vector<std::vector<double>> grounds, seen;
+  for (const double aspect : aspects)
+    grounds.push_back(coarse(paint_drawing(R"({"ground": "#ff00ff", "shapes": []})", 0, aspect)));
   for (const auto& name : names) {
     INFO(name);
     Json own = {{"ground", (*find_motif(name)->drawing)["ground"]},
                 {"shapes", (*find_motif(name)->drawing)["shapes"]}};
     CHECK(fault(own) == "");
     const Json drawing = {{"ground", "#ff00ff"}, {"shapes", {{{"use", name}}}}};
-    for (const double aspect : {0.6, 1.0, 1.7}) {
-      const auto ground = coarse(paint_drawing(R"({"ground": "#ff00ff", "shapes": []})", 0, aspect));
-      CHECK(distance_of(coarse(paint_drawing(drawing.dump(), 0, aspect)), ground) > 5.0);
+    for (std::size_t k = 0; k < grounds.size(); ++k) {
+      auto shown = coarse(paint_drawing(drawing.dump(), 0, aspects[k]));
+      CHECK(distance_of(shown, grounds[k]) > 5.0);
+      if (aspects[k] == 1.0) seen.push_back(std::move(shown));
     }
-    seen.push_back(coarse(paint_drawing(drawing.dump(), 0, 1.0)));
     for (std::size_t k = 0; k + 1 < seen.size(); ++k) {
       INFO(names[k]);
       CHECK(distance_of(seen[k], seen.back()) > 5.0);
