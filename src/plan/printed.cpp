@@ -33,7 +33,8 @@ struct Shown {
   std::string letters;  ///< what is in quotes, or said to be read there
 };
 
-Shown shown_behind(const std::vector<Token>& tokens, std::uint32_t from) {
+// Of a sign what it says needs no quotes; who reads on a picture is in it.
+Shown shown_behind(const std::vector<Token>& tokens, std::uint32_t from, bool is_sign) {
   Shown shown;
   bool is_quoted = false, is_said = false;
   const auto end = std::min<std::size_t>(tokens.size(), from + longest_print);
@@ -48,7 +49,7 @@ Shown shown_behind(const std::vector<Token>& tokens, std::uint32_t from) {
     } else if (ends_print(token)) {
       break;
     } else {
-      is_said = says(token);
+      is_said = is_sign && says(token);
       shown.text += " " + token.text;
     }
   }
@@ -68,7 +69,8 @@ std::string described_with_print(const brief::Brief& brief, const brief::Mention
     if (const auto& heard = brief.heard[index]; heard.as == Heard::As::thing)
       from = std::max(from, heard.tokens.end);
   if (from == 0) return description;
-  const Shown shown = shown_behind(brief.tokens, from);
+  const bool is_sign = !table.is_any_of(mention.category, {"picture", "map"});
+  const Shown shown = shown_behind(brief.tokens, from, is_sign);
   if (!shown.letters.empty()) return "\"" + shown.letters + "\" " + description;
   const auto motifs = shape::motifs_in(shown.text);
   const bool is_told = motifs.empty() || !shape::motifs_in(description).empty();
