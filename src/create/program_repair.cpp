@@ -30,9 +30,9 @@ const Names component_keys = {"name", "label", "material", "operations", "scale"
                               "at",   "when",  "use",      "with",       "materials"};
 const Names solid_keys = {"box",   "cylinder", "frustum", "ellipsoid", "prism",
                           "plane", "lathe",    "sweep",   "extrude",   "loft",
-                          "leaf",  "cushion",  "picture", "group",     "height_field"};
+                          "leaf",  "cushion",  "picture", "group",     "height_field", "text"};
 const Names surface_keys = {"color",   "roughness", "metalness", "opacity",
-                            "pattern", "second",    "scale"};
+                            "pattern", "second",    "scale",     "glow"};
 // What models call them, and what they are called.
 const std::map<std::string, std::string> component_words = {{"position", "at"},
                                                             {"location", "at"},

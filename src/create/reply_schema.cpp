@@ -42,7 +42,7 @@ const Json& solid_forms() {
       form["additionalProperties"] = false;
     }
     for (const char* drawn : {"plane", "lathe", "sweep", "extrude", "loft", "height_field", "leaf",
-                              "picture"})
+                              "picture", "text"})
       result[drawn] = {{"type", "object"}};
     return result;
   }();
@@ -112,7 +112,7 @@ const Json& program_schema() {
           "type": "object", "required": ["color"], "additionalProperties": false,
           "properties": {"color": {"type": "string"}, "roughness": {"type": "number"},
             "metalness": {"type": "number"}, "opacity": {"type": "number"},
-            "pattern": {"type": "string"}}}},
+            "pattern": {"type": "string"}, "glow": {"type": "number"}}}},
         "components": {"type": "array", "items": {"$ref": "#/$defs/component"}},
         "connections": {"type": "array", "items": {"type": "array", "minItems": 2, "maxItems": 2,
           "items": {"type": "string"}}}},

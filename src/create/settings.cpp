@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "base/random.h"
+#include "prints.h"
 #include "relative_size.h"
 #include "roomgen/base/text.h"
 #include "shape/color.h"
+#include "shape/motifs.h"
 #include "sizing.h"
 
 namespace roomgen::create {
@@ -57,6 +59,7 @@ class Chooser {
     if (const auto style = kind_.styles.find(description_.style); style != kind_.styles.end())
       for (const auto& [name, value] : style->second) result_.values[name] = value;
     color_whole();
+    print();
     for (const auto& part : description_.parts) result_.unmet.push_back(say(part));
     seat_people();
     set_size();
@@ -85,6 +88,26 @@ class Chooser {
     const auto material = words_.materials.find(description_.material);
     if (material != words_.materials.end()) result_.values[main->name] = material->second.color;
     if (shape::parse_color(description_.color)) result_.values[main->name] = description_.color;
+  }
+
+  // What a picture shows, and what it or a sign says.
+  void print() {
+    const Print print = print_in(description_.prompt);
+    const auto set = [&](const char* name, const std::string& text) {
+      const shape::Parameter* parameter = find(name);
+      if (parameter && parameter->text && !text.empty()) result_.values[name] = text;
+    };
+    const bool has_words = !print.words.empty() && find("words");
+    const auto own = kind_.set.find("theme");
+    if (own == kind_.set.end() || own->second != shape::Value(std::string("mirror")))
+      set("theme", print.motif.empty() && has_words ? "plain" : print.motif);
+    set("palette", print.palette);
+    const bool is_sign = kind_.set.count("words") > 0;
+    const std::string words =
+        print.words.empty() && is_sign ? shape::text_in(description_.prompt) : print.words;
+    const bool is_large = is_sign || print.motif.empty();
+    set("words", is_large ? in_lines(words) : words);
+    if (!words.empty()) (void)set_word("light_style", "neon word");
   }
 
   bool set_word(const std::string& name, const std::string& word) {

@@ -87,6 +87,12 @@ Json GlbMaterials::looks(const Material& material, const Surface& surface) {
     json["alphaMode"] = "MASK";
     json["alphaCutoff"] = mask_cutoff;
   }
+  if (material.glow > 0.0f) {
+    json["emissiveFactor"] = Json::array();
+    for (std::size_t c = 0; c < 3; ++c)
+      json["emissiveFactor"].push_back(unit(material.glow * material.base_color[c] * surface.mean[c]));
+    if (surface.texture >= 0) json["emissiveTexture"] = {{"index", surface.texture}};
+  }
   if (material.double_sided) json["doubleSided"] = true;
   return json;
 }

@@ -25,4 +25,8 @@ std::vector<Triangle> triangulate(const Polygon& polygon);
 /// holes clockwise. The polygon itself, untouched, where nothing overlaps it.
 std::vector<Loop> difference(const Polygon& polygon, std::span<const Polygon> others);
 
+/// What lies within half the width of any of the lines, to a micrometre, round at ends and corners to
+/// `tolerance`: loops as those of difference().
+std::vector<Loop> around_lines(std::span<const Loop> lines, double width, double tolerance);
+
 }  // namespace roomgen

@@ -7,6 +7,7 @@
 #include "qualifiers.h"
 #include "seen_assets.h"
 #include "roomgen/base/text.h"
+#include "shape/motifs.h"
 
 namespace roomgen {
 
@@ -99,12 +100,21 @@ bool contradicts_making(const AssetInfo& asset, const std::vector<std::string>& 
   });
 }
 
+// A picture whose own texts tell of no whale shows something else.
+bool shows_other(const AssetInfo& asset, const std::vector<std::string>& motifs,
+                 const Vocabulary& vocabulary) {
+  if (motifs.empty() || !is_kind_of(asset, {"picture"}, vocabulary)) return false;
+  const auto shown = shape::motifs_in(asset.name + " " + join(asset.tags, " "));
+  return std::find_first_of(shown.begin(), shown.end(), motifs.begin(), motifs.end()) == shown.end();
+}
+
 }  // namespace
 
 WantedLooks wanted_looks(std::string_view description) {
   const auto& table = AttributeWords::built_in();
   const Qualifiers said = qualify(description);
   WantedLooks wanted;
+  wanted.motifs = shape::motifs_in(description);
   for (const auto& phrase : table.phrases(said.own)) {
     const AttributeMeaning* meaning = table.find(phrase);
     if (!meaning) continue;
@@ -139,6 +149,7 @@ Contradiction contradiction(const AssetInfo& asset, const WantedLooks& wanted, c
   };
   if (contradicts_outline(asset, wanted.outline, vocabulary)) return Contradiction::form;
   if (contradicts_making(asset, wanted.making, vocabulary, says)) return Contradiction::form;
+  if (shows_other(asset, wanted.motifs, vocabulary)) return Contradiction::looks;
   if (has_part_of(asset, wanted, vocabulary)) return Contradiction::none;
   if (contradicts_color(asset, wanted.colors)) return Contradiction::looks;
   if (wanted.materials.empty()) return Contradiction::none;

@@ -14,6 +14,7 @@ struct WantedLooks {
   std::vector<std::string> colors;     ///< "navy blue", as AttributeWords has them
   std::vector<std::string> materials;  ///< "oak"
   std::string outline;                 ///< "round", "oval", "square", "rectangular"; empty: any
+  std::vector<std::string> motifs;     ///< "whale": what a picture of it would show
   std::vector<std::string> making;     ///< "six drawer", "tufted": what only who makes it can give it
 
   bool has_equal_sides() const { return outline == "round" || outline == "square"; }

@@ -6,6 +6,7 @@
 
 #include "brief/mention_shape.h"
 #include "brief/table_size.h"
+#include "printed.h"
 
 namespace roomgen::plan {
 
@@ -351,7 +352,7 @@ std::vector<Draft> asked_items(const brief::Brief& brief, const KindTable& table
     draft.seats = mention.seats;
     draft.sized = mention.sized;
     draft.item.category = mention.category;
-    draft.item.description = mention.description;
+    draft.item.description = described_with_print(brief, mention, table);
     draft.item.size = mention.size;
     draft.item.quantity = mention.quantity;
     draft.item.varied = mention.varied;

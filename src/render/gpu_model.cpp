@@ -16,7 +16,7 @@ constexpr float faintest_shadow = 0.6f;
 
 struct Vertex {
   float position[3];
-  std::int16_t normal[4];  ///< the last one is the roughness
+  std::int16_t normal[4];  ///< the last one is the roughness, below 0 the glow
   float uv[2];
   std::uint8_t color[4];
 };
@@ -73,7 +73,7 @@ void add_vertices(std::vector<Vertex>& vertices, const Mesh& mesh, const Materia
       v.position[axis] = mesh.positions[i][axis];
       v.normal[axis] = to_int16(has_normals ? mesh.normals[i][axis] : axis == 2 ? 1.0f : 0.0f);
     }
-    v.normal[3] = to_int16(material.roughness);
+    v.normal[3] = to_int16(material.glow > 0.0f ? -material.glow : material.roughness);
     if (has_uvs)
       for (int axis = 0; axis < 2; ++axis) v.uv[axis] = mesh.uvs[i][axis];
     std::copy(color.begin(), color.end(), v.color);

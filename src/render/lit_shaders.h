@@ -114,8 +114,11 @@ Light light_at(vec3 sample_place, vec3 room, vec3 n) {
   return Light(diffuse, 0.35 * highlight * sun);
 }
 
+// What glows has its glow, negative, in place of the roughness.
 vec3 shown(vec3 albedo, float roughness, Light light) {
-  vec3 color = albedo * light.diffuse + (1.0 - roughness) * (1.0 - roughness) * light.highlight;
+  vec3 color = albedo * light.diffuse;
+  if (roughness < -0.01) color = mix(color, 1.5 * albedo + 0.1, -roughness);
+  else color += (1.0 - roughness) * (1.0 - roughness) * light.highlight;
   // Highlights roll off instead of clipping.
   color *= 1.06 - 0.2 * min(color, vec3(1.5));
   // sRGB within 0.02, without a power function.
@@ -207,10 +210,10 @@ void main() {
     vec4 lit = dark * step(alike, cosines) * step(beside, vec4(flush));
     Light light = light_at(at, room, n);
     vec4 share = lit * through;
-    sum += share.x * shown(paint_a.rgb * paint_a.rgb, paint_a.a, light);
-    sum += share.y * shown(paint_b.rgb * paint_b.rgb, paint_b.a, light);
-    sum += share.z * shown(paint_c.rgb * paint_c.rgb, paint_c.a, light);
-    sum += share.w * shown(paint_d.rgb * paint_d.rgb, paint_d.a, light);
+    sum += share.x * shown(paint_a.rgb * paint_a.rgb, 2.0 * paint_a.a - 1.0, light);
+    sum += share.y * shown(paint_b.rgb * paint_b.rgb, 2.0 * paint_b.a - 1.0, light);
+    sum += share.z * shown(paint_c.rgb * paint_c.rgb, 2.0 * paint_c.a - 1.0, light);
+    sum += share.w * shown(paint_d.rgb * paint_d.rgb, 2.0 * paint_d.a - 1.0, light);
     dark -= lit;
   }
   pixel = vec4(0.25 * sum * (0.45 + 0.55 * sky_seen(p)), 1.0);

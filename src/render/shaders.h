@@ -9,7 +9,7 @@ namespace roomgen::detail::shaders {
 /// Objects and walls, seen by the camera.
 inline constexpr std::string_view surface_vertex = R"(#version 400 core
 layout(location = 0) in vec3 position;
-layout(location = 1) in vec4 normal;    // w: roughness
+layout(location = 1) in vec4 normal;    // w: roughness, below 0 the glow
 layout(location = 2) in vec2 uv;
 layout(location = 3) in vec4 color;     // sRGB
 uniform mat4 clip_from_model;
@@ -35,7 +35,7 @@ in vec2 texture_uv;
 flat in vec4 tint;
 flat in float roughness;
 uniform sampler2D base_color;
-layout(location = 0) out vec4 paint;   // root of the linear colour; roughness
+layout(location = 0) out vec4 paint;   // root of the linear colour; roughness, -1 to 1
 layout(location = 1) out vec4 facing;  // normal in [0, 1]; 1: there is something
 void main() {
   vec3 albedo = tint.rgb;
@@ -46,7 +46,7 @@ void main() {
 #endif
   albedo *= texel.rgb * texel.rgb * (0.3 * texel.rgb + 0.7);
 #endif
-  paint = vec4(sqrt(albedo), roughness);
+  paint = vec4(sqrt(albedo), 0.5 + 0.5 * roughness);
   facing = vec4(0.5 + 0.5 * normalize(room_normal), 1.0);
 }
 )";

@@ -17,7 +17,7 @@ namespace detail {
 
 namespace {
 
-constexpr std::size_t max_parameters = 64, max_lets = 256, max_choices = 64;
+constexpr std::size_t max_parameters = 64, max_lets = 256, max_choices = 64, max_text = 240;
 constexpr double max_value = 1e6;
 
 bool is_identifier(std::string_view text) {
@@ -41,6 +41,15 @@ bool is_choice(const Parameter& parameter, const std::string& word) {
          parameter.choices.end();
 }
 
+std::string objection_to_word(const Parameter& parameter, const std::string& word) {
+  if (!wants_word(parameter)) return "\"" + word + "\" is no number";
+  if (parameter.color)
+    return parse_color(word) ? "" : "\"" + word + "\" is no colour; write \"#rrggbb\" or a name";
+  if (parameter.text) return word.size() <= max_text ? "" : "longer than 240 bytes";
+  if (is_choice(parameter, word)) return "";
+  return "\"" + word + "\" is none of " + join(parameter.choices, ", ");
+}
+
 Parameter read_number(const JsonReader& json, Parameter parameter) {
   json.allow_only({"value", "min", "max", "integer", "about"});
   parameter.integer = json["integer"].boolean_or(false);
@@ -58,11 +67,13 @@ Parameter read_word(const JsonReader& json, Parameter parameter) {
       parameter.choices.push_back(choice.text(64));
     if (parameter.choices.empty()) json["choices"].report("expected at least one word");
   } else {
-    json.allow_only({"value", "color", "about"});
+    json.allow_only({"value", "color", "text", "about"});
     parameter.color = json["color"].boolean_or(false);
-    if (!parameter.color) json.report("a word needs \"choices\", a colour \"color\": true");
+    parameter.text = json["text"].boolean_or(false);
+    if (parameter.color == parameter.text)
+      json.report("a word needs \"choices\", a colour \"color\": true, free text \"text\": true");
   }
-  parameter.value = json["value"].text(64);
+  parameter.value = json["value"].text(max_text);
   return parameter;
 }
 
@@ -89,19 +100,17 @@ std::vector<Parameter> read_parameters(const JsonReader& parameters) {
   return result;
 }
 
+bool wants_word(const Parameter& parameter) {
+  return !parameter.choices.empty() || parameter.color || parameter.text;
+}
+
 std::string objection(const Parameter& parameter, const Value& value) {
-  const bool wants_word = !parameter.choices.empty() || parameter.color;
-  if (const auto* word = std::get_if<std::string>(&value)) {
-    if (!wants_word) return "\"" + *word + "\" is no number";
-    if (parameter.color)
-      return parse_color(*word) ? ""
-                                : "\"" + *word + "\" is no colour; write \"#rrggbb\" or a name";
-    if (is_choice(parameter, *word)) return "";
-    return "\"" + *word + "\" is none of " + join(parameter.choices, ", ");
-  }
+  if (const auto* word = std::get_if<std::string>(&value))
+    return objection_to_word(parameter, *word);
   const double number = std::get<double>(value);
-  if (wants_word)
-    return parameter.color ? "expected a colour"
+  if (wants_word(parameter))
+    return parameter.color  ? "expected a colour"
+           : parameter.text ? "expected words"
                            : "expected one of " + join(parameter.choices, ", ");
   if (!(number >= parameter.min && number <= parameter.max))
     return format_number(number, 6) + " is out of range; expected a number from " +
@@ -152,7 +161,7 @@ Result<std::vector<Parameter>> describe_parameters(const Json& recipe, const std
 }
 
 Value parameter_value(const Parameter& parameter, const std::string& text) {
-  if (!parameter.choices.empty() || parameter.color) return text;
+  if (detail::wants_word(parameter)) return text;
   double number = 0.0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (code != std::errc() || end != text.data() + text.size()) return text;

@@ -10,6 +10,9 @@ namespace roomgen::shape::detail {
 
 std::vector<Parameter> read_parameters(const JsonReader& parameters);
 
+/// Is its value a word: one of its choices, a colour, any text?
+bool wants_word(const Parameter& parameter);
+
 /// What is wrong with a value; empty if nothing is.
 std::string objection(const Parameter& parameter, const Value& value);
 

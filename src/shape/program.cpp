@@ -62,8 +62,7 @@ std::vector<std::string> pattern_names() {
 }
 
 std::vector<std::string> picture_themes() {
-  return {"landscape", "abstract", "still life", "botanical", "map",
-          "screen",    "mirror",   "clock",      "plain"};
+  return {"screen", "mirror", "clock", "plain"};
 }
 
 std::size_t component_count(const std::vector<Component>& components) {

@@ -45,7 +45,7 @@ std::uint64_t seed_of(std::uint64_t seed, const std::string& name) {
 bool same_surface(const Surface& a, const Surface& b) {
   return a.color == b.color && a.roughness == b.roughness && a.metalness == b.metalness &&
          a.opacity == b.opacity && a.pattern == b.pattern && a.second == b.second &&
-         a.scale == b.scale;
+         a.scale == b.scale && a.glow == b.glow;
 }
 
 class Builder {
@@ -219,7 +219,7 @@ class Builder {
 
   static Value argument(const JsonReader& json, const Parameter& parameter,
                         const Numbers& numbers) {
-    if (parameter.choices.empty() && !parameter.color) {
+    if (!wants_word(parameter)) {
       Value value = numbers.value(json);
       if (auto* number = std::get_if<double>(&value)) *number = roomgen::rounded(*number, 6);
       return value;

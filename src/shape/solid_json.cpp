@@ -4,6 +4,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "base/json_values.h"
+#include "drawing.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 
@@ -181,23 +183,48 @@ Solid read_cushion(const JsonReader& json, const Numbers& numbers) {
 }
 
 Solid read_picture(const JsonReader& json, const Numbers& numbers) {
-  json.allow_only({"size", "thickness", "theme", "seed"});
+  json.allow_only({"size", "thickness", "theme", "drawing", "seed"});
   PicturePart picture;
   picture.size = numbers.size2(json["size"]);
   picture.thickness = numbers.number_or(json["thickness"], 0.02, least_length, greatest_length);
-  picture.theme = numbers.word(json["theme"], "abstract");
+  picture.seed = static_cast<std::uint64_t>(numbers.whole_or(json["seed"], 0, 0, max_picture_seed));
+  if (json["drawing"].exists()) {
+    if (json["theme"].exists()) json.report("expected one of \"theme\" and \"drawing\"");
+    picture.theme.clear();
+    (void)read_drawing(json["drawing"], numbers, picture.seed);
+    if (!numbers.failed()) picture.drawing = concrete_drawing(json["drawing"], numbers);
+    return picture;
+  }
+  picture.theme = numbers.word(json["theme"], picture.theme);
   const std::vector<std::string> themes = picture_themes();
   if (std::find(themes.begin(), themes.end(), picture.theme) == themes.end())
-    json["theme"].report("no theme \"" + picture.theme + "\"; there are " + join(themes, ", "));
-  picture.seed = static_cast<std::uint64_t>(numbers.whole_or(json["seed"], 0, 0, max_picture_seed));
+    json["theme"].report("no theme \"" + picture.theme + "\"; there are " + join(themes, ", ") +
+                         "; things are drawn: \"drawing\"");
   return picture;
+}
+
+constexpr std::array<std::pair<std::string_view, Align>, 3> aligns = {
+    {{"left", Align::left}, {"center", Align::center}, {"right", Align::right}}};
+
+Solid read_text(const JsonReader& json, const Numbers& numbers) {
+  json.allow_only({"words", "align", "height", "fit", "radius", "width", "depth"});
+  TextPart text;
+  text.words = read_words(json["words"], numbers);
+  const Align align = read_align(json["align"], numbers);
+  text.align = aligns[static_cast<std::size_t>(align)].first;
+  text.height = numbers.length(json["height"]);
+  if (json["fit"].exists()) text.fit = numbers.vec2(json["fit"], 0.0, greatest_length);
+  text.radius = numbers.length_or_zero(json["radius"], 0.0);
+  text.width = numbers.number_or(json["width"], 0.16 * text.height, least_length, greatest_length);
+  text.depth = numbers.number_or(json["depth"], 0.01, least_length, greatest_length);
+  return text;
 }
 
 struct Entry {
   std::string_view key;
   Solid (*read)(const JsonReader&, const Numbers&);
 };
-constexpr std::array<Entry, 14> entries = {{{"box", read_box},
+constexpr std::array<Entry, 15> entries = {{{"box", read_box},
                                             {"cylinder", read_cylinder},
                                             {"frustum", read_frustum},
                                             {"ellipsoid", read_ellipsoid},
@@ -210,7 +237,8 @@ constexpr std::array<Entry, 14> entries = {{{"box", read_box},
                                             {"height_field", read_height_field},
                                             {"leaf", read_leaf},
                                             {"cushion", read_cushion},
-                                            {"picture", read_picture}}};
+                                            {"picture", read_picture},
+                                            {"text", read_text}}};
 
 // Writing.
 
@@ -340,11 +368,24 @@ struct SolidWriter {
     return {"cushion", {{"size", to_json(cushion.size)}, {"softness", metres(cushion.softness)}}};
   }
   Written operator()(const PicturePart& picture) const {
-    return {"picture",
-            {{"size", to_json(picture.size)},
-             {"thickness", metres(picture.thickness)},
-             {"theme", picture.theme},
-             {"seed", picture.seed}}};
+    Json json = {{"size", to_json(picture.size)},
+                 {"thickness", metres(picture.thickness)},
+                 {"seed", picture.seed}};
+    if (picture.drawing.empty()) json["theme"] = picture.theme;
+    else json["drawing"] = json_literal(picture.drawing);
+    return {"picture", json};
+  }
+  Written operator()(const TextPart& text) const {
+    Json json = {{"words", text.words}, {"height", metres(text.height)}};
+    if (!text.fit.isZero()) json["fit"] = to_json(text.fit);
+    if (text.align != "center") json["align"] = text.align;
+    if (text.radius > 0.0) {
+      json["radius"] = metres(text.radius);
+    } else {
+      json["width"] = metres(text.width);
+      json["depth"] = metres(text.depth);
+    }
+    return {"text", json};
   }
   Written operator()(const Group&) const { return {"group", Json::object()}; }
 };
@@ -361,6 +402,23 @@ Solid read_solid(std::string_view key, const JsonReader& json, const Numbers& nu
   const auto entry =
       std::find_if(entries.begin(), entries.end(), [key](const Entry& e) { return e.key == key; });
   return entry->read(json, numbers);
+}
+
+Align read_align(const JsonReader& json, const Numbers& numbers) {
+  const std::string word = numbers.word(json, "center");
+  for (const auto& [name, align] : aligns)
+    if (name == word) return align;
+  json.report("expected left, center or right");
+  return Align::center;
+}
+
+std::string read_words(const JsonReader& json, const Numbers& numbers) {
+  const std::string words = numbers.word(json, "");
+  if (words.size() > most_letters)
+    json.report("more than " + std::to_string(most_letters) + " letters");
+  else if (lettering(words, Align::left, 1.0).lines.empty())
+    json.report("no letter in these words; there are A to Z, 0 to 9 and common marks");
+  return words;
 }
 
 std::pair<std::string, Json> write_solid(const Solid& solid) {

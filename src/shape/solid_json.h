@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "base/json_reader.h"
+#include "color.h"
+#include "letters.h"
 #include "numbers.h"
 #include "roomgen/shape/program.h"
 
@@ -17,6 +19,13 @@ std::vector<std::string> solid_keys();
 Solid read_solid(std::string_view key, const JsonReader& json, const Numbers& numbers);
 /// The key and what stands under it. Precondition: no Group.
 std::pair<std::string, Json> write_solid(const Solid& solid);
+
+/// "#rrggbb" or a name; reports anything else.
+Rgb read_color(const JsonReader& json, const Numbers& numbers);
+/// left, center or right; center unless told.
+Align read_align(const JsonReader& json, const Numbers& numbers);
+/// Words to be lettered, at least one of them.
+std::string read_words(const JsonReader& json, const Numbers& numbers);
 
 Operation read_operation(const JsonReader& json, const Numbers& numbers);
 Json write_operation(const Operation& operation);

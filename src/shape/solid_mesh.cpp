@@ -4,8 +4,11 @@
 #include <optional>
 
 #include "expression.h"
+#include "letters.h"
+#include "placing.h"
 #include "roomgen/base/json.h"
 #include "roomgen/shape/primitives.h"
+#include "skin.h"
 
 namespace roomgen::shape::detail {
 
@@ -59,6 +62,51 @@ Result<Mesh> picture_mesh(const PicturePart& part, double tolerance) {
   return result;
 }
 
+// Written lying on the ground, as skins and sections know what is up there, then stood up.
+Mesh stood_up(Mesh mesh, double back) {
+  for (auto& p : mesh.positions) p = {p.x(), static_cast<float>(back) - p.z(), p.y()};
+  for (auto& n : mesh.normals) n = {n.x(), -n.z(), n.y()};
+  return mesh;
+}
+
+Result<Mesh> flat_letters(const std::vector<Loop>& lines, double width, double depth,
+                          double tolerance) {
+  const auto loops = around_lines(lines, width, tolerance);
+  SurfaceBuilder surface;
+  for (const auto& loop : loops) {
+    Skin side;
+    side.rows = {raised(loop, 0.0), raised(loop, depth)};
+    add_skin(surface, side);
+  }
+  add_level_cap(surface, loops, 0.0, false);
+  add_level_cap(surface, loops, depth, true);
+  return stood_up(surface.mesh(), 0.5 * depth);
+}
+
+Result<Mesh> text_mesh(const TextPart& part, double tolerance) {
+  const Align align = part.align == "left"    ? Align::left
+                      : part.align == "right" ? Align::right
+                                              : Align::center;
+  std::vector<Loop> lines;
+  Mesh tubes;
+  const Lettering letters = lettering(part.words, align, part.height, part.fit);
+  for (const auto& curve : letters.lines) {
+    Loop line = polyline(curve, 0.5 * tolerance);
+    if (curve.closed) line.push_back(line.front());
+    if (part.radius == 0.0) {
+      lines.push_back(std::move(line));
+      continue;
+    }
+    Curve<Vec3> path{{}, curve.corners, curve.closed};
+    for (const auto& p : curve.points) path.points.emplace_back(p.x(), p.y(), 0.0);
+    auto tube = mesh(Sweep{path, ellipse(Vec2::Constant(2 * part.radius), tolerance)}, tolerance);
+    if (!tube) return tube;
+    append_mesh(tubes, *tube);
+  }
+  if (part.radius > 0.0) return stood_up(std::move(tubes), 0.0);
+  return flat_letters(lines, part.width * letters.height / part.height, part.depth, tolerance);
+}
+
 constexpr double finest_retry = 0.0005;  // metres
 
 struct Maker {
@@ -81,6 +129,7 @@ struct Maker {
   }
   Result<Mesh> operator()(const HeightPart& part) const { return height_mesh(part, tolerance); }
   Result<Mesh> operator()(const PicturePart& part) const { return picture_mesh(part, tolerance); }
+  Result<Mesh> operator()(const TextPart& part) const { return text_mesh(part, tolerance); }
   Result<Mesh> operator()(const Group&) const { return Mesh{}; }
 };
 

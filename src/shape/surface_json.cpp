@@ -22,8 +22,15 @@ void require_color(const JsonReader& json, const std::string& color) {
 
 }  // namespace
 
+Rgb read_color(const JsonReader& json, const Numbers& numbers) {
+  const std::string color = numbers.word(json, "");
+  require_color(json, color);
+  return parse_color(color).value_or(Rgb{});
+}
+
 Surface read_surface(const std::string& name, const JsonReader& json, const Numbers& numbers) {
-  json.allow_only({"color", "roughness", "metalness", "opacity", "pattern", "second", "scale"});
+  json.allow_only(
+      {"color", "roughness", "metalness", "opacity", "pattern", "second", "scale", "glow"});
   Surface surface;
   surface.name = name;
   if (!json["color"].exists())
@@ -41,6 +48,7 @@ Surface read_surface(const std::string& name, const JsonReader& json, const Numb
   surface.second = numbers.word(json["second"], "");
   if (!surface.second.empty()) require_color(json["second"], surface.second);
   surface.scale = numbers.number_or(json["scale"], 1.0, 0.05, 20.0);
+  surface.glow = numbers.number_or(json["glow"], 0.0, 0.0, 1.0);
   return surface;
 }
 
@@ -52,6 +60,7 @@ Json write_surface(const Surface& surface) {
   if (surface.pattern != "none") json["pattern"] = surface.pattern;
   if (!surface.second.empty()) json["second"] = surface.second;
   if (metres(surface.scale) != 1.0) json["scale"] = metres(surface.scale);
+  if (metres(surface.glow) != 0.0) json["glow"] = metres(surface.glow);
   return json;
 }
 

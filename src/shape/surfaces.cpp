@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "drawing.h"
 #include "picture.h"
 
 namespace roomgen::shape::detail {
@@ -38,6 +39,7 @@ Painted plain(const Surface& surface) {
   result.material.name = surface.name;
   result.material.roughness = static_cast<float>(surface.roughness);
   result.material.metallic = static_cast<float>(surface.metalness);
+  result.material.glow = static_cast<float>(surface.glow);
   result.first = parse_color(surface.color).value_or(Rgb{204, 204, 204});
   result.material.base_color = linear(result.first, surface.opacity);
   result.pattern = pattern_named(surface.pattern);
@@ -55,6 +57,9 @@ Surfaces::Surfaces(const Program& program) {
 }
 
 std::shared_ptr<const Image> Surfaces::texture(const Painted& painted) {
+  if (painted.picture && !painted.picture->drawing.empty())
+    return std::make_shared<Image>(paint_drawing(painted.picture->drawing, painted.picture->seed,
+                                                 aspect_of(*painted.picture)));
   if (painted.picture)
     return std::make_shared<Image>(paint_picture(
         theme_of(painted.picture->theme), painted.picture->seed, aspect_of(*painted.picture)));
@@ -94,11 +99,11 @@ int Surfaces::find(const std::string& name) {
 }
 
 int Surfaces::picture(const PicturePart& picture, int frame) {
-  const auto key = std::make_tuple(picture.theme, picture.seed, aspect_of(picture), frame);
+  const auto key = std::make_tuple(picture.theme + picture.drawing, picture.seed, aspect_of(picture), frame);
   if (const auto known = pictures_.find(key); known != pictures_.end()) return known->second;
   Painted result;
   result.material = painted_[static_cast<std::size_t>(frame)].material;
-  result.material.name = picture.theme;
+  result.material.name = picture.drawing.empty() ? picture.theme : "drawing";
   result.material.base_color[3] = 1.0f;
   result.picture = picture;
   if (theme_of(picture.theme) == Theme::mirror) {

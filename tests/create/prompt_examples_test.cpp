@@ -51,6 +51,7 @@ TEST_CASE(
     "The prompt names every pattern, and its answers of decomposing and meshing are readable") {
   const std::string text = prompt("create-generate-system");
   for (const auto& pattern : shape::pattern_names()) CHECK(contains_text(text, pattern));
+  for (const auto& motif : shape::motif_names()) CHECK(contains_text(text, motif));
 
   Conversation decomposing({reply_saying(prompt("create-decompose-system"))});
   const auto objects = decomposing.maker->decompose("a bar stool");

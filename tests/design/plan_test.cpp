@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -282,4 +283,18 @@ TEST_CASE("words of light set the light of the room, and those of things or deni
   CHECK(morning.lux == 500.0);
   for (const char* prompt : {"a bedroom with a bright yellow armchair", "a study that is not too bright", "a bedroom"})
     CHECK(light_of(prompt) == Lighting());
+}
+
+TEST_CASE("What a picture shows and a sign says is part of how it is described") {
+  const Plan plan = test::plan_of(
+      "A bar with a neon sign that says \"JAZZ\" above the counter, a poster of a whale and a "
+      "Japanese painting with a crane, and a plain picture near the fish tank.");
+  const auto describes = [&](const std::string& text) {
+    return std::any_of(plan.items.begin(), plan.items.end(),
+                       [&](const PlanItem& item) { return item.description == text; });
+  };
+  CHECK(describes("\"jazz\" neon sign"));
+  CHECK(describes("whale poster"));
+  CHECK(describes("crane japanese painting"));
+  CHECK(describes("plain picture"));
 }

@@ -230,6 +230,22 @@ TEST_CASE("a mesh wound the wrong way is not black") {
   CHECK(std::abs(bright(model, "inverted") - usual) <= 2);
 }
 
+TEST_CASE("what glows is brighter than the light makes it, the more the more it glows") {
+  auto renderer = make_renderer();
+  const View view = view_of(View::Kind::top, 256);
+  ModelTable models;
+  Scene scene = red_box_scene(models);
+  const auto bright = [&](float glow, const char* id) {
+    Model model = test::colored_box({1.0, 0.5, 0.8}, {60, 60, 60});
+    for (auto& material : model.materials) material.glow = glow;
+    test::use_model(scene.objects[0], models, id, std::move(model));
+    return pixel_at(draw(*renderer, scene, view, models), scene, view, {2.5, 1.2, 0}).brightness();
+  };
+  const int dull = bright(0.0f, "dull"), faint = bright(0.4f, "faint");
+  CHECK(faint > dull + 10);
+  CHECK(bright(1.0f, "bright") > faint + 10);
+}
+
 TEST_CASE("textures lie the right way up") {
   auto renderer = make_renderer();
   const View view = view_of(View::Kind::top, 512);

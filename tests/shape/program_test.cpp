@@ -34,7 +34,8 @@ const char* const everything = R"(
  {"name": "l", "height_field": {"size": [1, 1], "height": "0.1 + 0.05 * sin(90 * u) * v", "divisions": 8, "most": 0.14}},
  {"name": "m", "leaf": {"length": 0.2, "width": 0.08, "thickness": 0.001, "bend": 30, "fold": 10, "widest": 0.4}},
  {"name": "n", "cushion": {"size": [0.5, 0.5, 0.15], "softness": 0.3}},
- {"name": "o", "picture": {"size": [0.5, 0.4], "thickness": 0.02, "theme": "still life", "seed": 4}},
+ {"name": "o", "picture": {"size": [0.5, 0.4], "thickness": 0.02, "drawing": {"ground": ["cream", "#123456"], "shapes": [{"use": "whale", "size": 0.8, "colors": ["navy", "white"]}, {"line": [[0, 0], [1, 1]], "stroke": "red", "width": 0.02, "repeat": {"count": 3, "step": [0.1, 0]}}]}, "seed": 4}},
+ {"name": "o2", "text": {"words": "HI", "height": 0.1, "fit": [0.5, 0], "radius": 0.005}},
  {"name": "p", "label": "drawer", "group": {"components": [{"name": "front", "box": {"size": [0.4, 0.02, 0.2]}}, {"name": "knob", "ellipsoid": {"size": [0.02, 0.02, 0.02]}}]}, "material": "m"})";
 
 }  // namespace
@@ -52,7 +53,7 @@ TEST_CASE("A written program reads back to the same bytes") {
   INFO((second ? text : second.error().message));
   REQUIRE(second);
   CHECK(dump_json(write_program(*second)) == text);
-  CHECK(second->components.size() == 16);
+  CHECK(second->components.size() == 17);
   CHECK(second->connections.size() == 3);
 }
 
@@ -125,7 +126,7 @@ TEST_CASE("Errors of a concrete program name the place") {
   CHECK(contains_text(
       error(R"({"name": "a", "height_field": {"size": [1, 1], "height": "w * u"}})"), "/height"));
   CHECK(contains_text(error(R"({"name": "a", "picture": {"size": [1, 1], "theme": "letters"}})"),
-                      "there are landscape"));
+                      "there are screen"));
   CHECK(contains_text(
       error(R"({"name": "a", "group": {"components": [{"name": "b", "box": {"size": 3}}]}})"),
       "/components/0/group/components/0/box/size"));

@@ -89,6 +89,7 @@ struct Material {
   std::shared_ptr<const Image> texture;  ///< multiplies base_color; may be null
   float roughness = 0.8f;
   float metallic = 0.0f;
+  float glow = 0.0f;  ///< how much of its colour it shows without any light
   bool double_sided = false;
 
   bool transparent() const { return base_color[3] < 0.999f; }

@@ -81,10 +81,24 @@ struct HeightPart {
 struct PicturePart {
   Vec2 size = Vec2::Ones();
   double thickness = 0.02;
-  std::string theme = "abstract";
+  std::string theme = "plain";  ///< one of picture_themes(); empty: the drawing
   std::uint64_t seed = 0;
+  std::string drawing = {};  ///< its JSON (docs/shapes.md, Drawings), numbers only
 
   bool operator==(const PicturePart&) const = default;
+};
+
+/// Words upright in the XZ plane, half of their height above z = 0, drawn by one pen: tubes of a
+/// radius, or flat letters of a pen's width that are as thick as `depth`.
+struct TextPart {
+  std::string words;
+  std::string align = "center";  ///< left, center, right: where x = 0 is
+  double height = 0.1;           ///< of a capital, between the middles of its strokes
+  Vec2 fit = Vec2::Zero();       ///< they are smaller where they were wider or higher; 0: any
+  double radius = 0.0;           ///< of tubes; 0: flat letters
+  double width = 0.016, depth = 0.01;
+
+  bool operator==(const TextPart&) const = default;
 };
 
 struct Component;
@@ -94,7 +108,7 @@ struct Group {
 };
 
 using Solid = std::variant<Box, Frustum, Ellipsoid, Prism, Plane, Lathe, SweptPart, Extrusion,
-                           LoftedPart, HeightPart, Leaf, Cushion, PicturePart, Group>;
+                           LoftedPart, HeightPart, Leaf, Cushion, PicturePart, TextPart, Group>;
 
 /// The part of the solid that the normal points away from stays. In the component's own frame,
 /// before its transform.
@@ -146,6 +160,7 @@ struct Surface {
   std::string pattern = "none";
   std::string second;  ///< the pattern's other colour; empty: a darker one
   double scale = 1.0;  ///< of the pattern
+  double glow = 0.0;   ///< 0 to 1: how much of its colour it shows without any light
 };
 
 struct Program {
@@ -162,6 +177,8 @@ struct Program {
 /// The patterns of surfaces and the themes of pictures.
 std::vector<std::string> pattern_names();
 std::vector<std::string> picture_themes();
+/// What drawings may `use` (data/motifs.json), sorted.
+std::vector<std::string> motif_names();
 
 /// Reads a concrete program: expressions, `when`, `use` and `parameters` are errors that say so.
 /// `source` names the document in messages, which give the JSON pointer.
@@ -196,6 +213,7 @@ struct Parameter {
   double min = 0.0, max = 0.0;
   bool integer = false;
   bool color = false;                ///< any colour
+  bool text = false;                 ///< any words of at most 240 bytes
   std::vector<std::string> choices;  ///< of a word
 };
 
