@@ -159,6 +159,7 @@ Result<std::optional<DwellingPlan>> plan_dwelling(const PlanRequest& request, De
     own.prompt = i < said->rooms.size() ? said->rooms[i].prompt : "a " + rooms[i].type;
     own.seed = random.fork("plan of " + rooms[i].id).fork("seed").next();
     own.room = rooms[i];
+    own.pictures = request.pictures;
     own.cancel = request.cancel;
     if (i < said->rooms.size() && said->rooms[i].brief)
       own.said = std::make_shared<brief::SaidWish>(
