@@ -13,6 +13,7 @@ Result<PlanRequest> request_of(const PlanWish& wish, const CancelToken& cancel) 
   PlanRequest request;
   request.prompt = wish.prompt;
   request.seed = wish.seed;
+  request.pictures = wish.pictures;
   request.cancel = cancel;
   if (!wish.size.empty()) {
     auto size = parse_size(wish.size);

@@ -21,6 +21,7 @@ struct PlanWish {
   std::uint64_t seed = 0;
   std::string size;        ///< "4x5"; empty: as the prompt or the rules say
   std::string floor_plan;  ///< a file: room.json, SVG or DXF
+  std::vector<std::string> pictures = {};  ///< PlanRequest::pictures
 };
 
 /// What a designer is asked.

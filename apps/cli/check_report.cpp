@@ -62,7 +62,7 @@ Clauses clauses_of(const Scene& scene) {
     if (verdict.compliance == Compliance::withdrawn) continue;
     ++clauses.asked;
     if (verdict.met()) ++clauses.met;
-    else clauses.unmet.push_back(verdict.requirement.clause + ": " + verdict.reason);
+    else clauses.unmet.push_back(told(verdict.requirement) + ": " + verdict.reason);
   }
   return clauses;
 }

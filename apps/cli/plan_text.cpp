@@ -65,7 +65,7 @@ std::string heard_line(const Heard& words, const std::vector<Requirement>& requi
   std::vector<std::string> clauses;
   for (const auto& requirement : requirements)
     for (const auto& id : words.requirements)
-      if (id == requirement.id) clauses.push_back(requirement.clause);
+      if (id == requirement.id) clauses.push_back(told(requirement));
   return "  [" + std::string(trim(one_line(words.text))) + "] " + std::string(name(words.as)) + (clauses.empty() ? "" : ": ") +
          join(clauses, "; ");
 }

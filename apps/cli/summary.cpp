@@ -41,7 +41,7 @@ std::vector<Lack> clauses_that_are(const Scene& scene, Compliance compliance) {
   std::vector<Lack> lacks;
   for (const auto& verdict : scene.requirements)
     if (verdict.compliance == compliance)
-      lacks.push_back({verdict.requirement.clause, verdict.reason});
+      lacks.push_back({told(verdict.requirement), verdict.reason});
   return lacks;
 }
 

@@ -62,7 +62,7 @@ Json clause_json(const RequirementVerdict& verdict) {
 }
 
 std::string clause_line(const RequirementVerdict& verdict) {
-  return "  asked: " + verdict.requirement.clause + ": " + std::string(name(verdict.compliance)) +
+  return "  asked: " + told(verdict.requirement) + ": " + std::string(name(verdict.compliance)) +
          (verdict.reason.empty() ? "" : " (" + verdict.reason + ")");
 }
 

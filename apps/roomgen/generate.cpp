@@ -22,6 +22,7 @@
 #include "roomgen/export/exporter.h"
 #include "roomgen/render/pictures.h"
 #include "summary.h"
+#include "wish_pictures.h"
 
 namespace roomgen::cli {
 
@@ -32,6 +33,7 @@ namespace fs = std::filesystem;
 struct GenerateCommand {
   PlanWish wish;
   std::string output, plan_file;
+  std::vector<std::string> images;
   bool force = false, strict = false, marks = false, no_pictures = false;
   int pixels = 1024;
   double alpha = 0.5, rrf_c = 60.0, pitch = 0.10;
@@ -206,13 +208,15 @@ std::vector<std::string> with_reviews(std::vector<std::string> notes, const std:
   return notes;
 }
 
+fs::path usual_folder(const GenerateCommand& command) {
+  std::string name = command.plan_file.empty() ? command.wish.prompt : command.plan_file;
+  if (name.empty()) name = fs::path(command.images.front()).stem().string();
+  return fs::path("out") / folder_name(name);
+}
+
 Result<int> run(const Context& context, const GenerateCommand& command) {
   const auto start = std::chrono::steady_clock::now();
-  const fs::path folder =
-      command.output.empty()
-          ? fs::path("out") /
-                folder_name(command.plan_file.empty() ? command.wish.prompt : command.plan_file)
-          : fs::path(command.output);
+  const fs::path folder = command.output.empty() ? usual_folder(command) : fs::path(command.output);
   auto composed = compose_designer(command.designer, context, cache_folder(command.libraries).string());
   if (!composed) return composed.error();
   Designer& designer = *composed->designer;
@@ -293,8 +297,10 @@ void add_generate_command(CLI::App& app, Context& context) {
       sub->add_option("--size", command->wish.size, "Inner width x depth in metres, as in 4x5");
   auto* room = sub->add_option("--room", command->wish.floor_plan,
                                "Floor plan to use: room.json, SVG or DXF (docs/floor-plans.md)");
+  auto* images = add_image_option(*sub, command->images);
   sub->add_option("--plan", command->plan_file, "Inventory to use (docs/plan.schema.json)")
       ->excludes(prompt)
+      ->excludes(images)
       ->excludes(size)
       ->excludes(room);
   sub->add_flag("--force", command->force, "Write into a folder that holds other files");
@@ -321,11 +327,20 @@ void add_generate_command(CLI::App& app, Context& context) {
   add_finish_options(*sub, command->designer);
   add_library_options(*sub, command->libraries);
   sub->callback([command, sub, &context] {
-    if (command->wish.prompt.empty() && command->plan_file.empty())
+    if (command->wish.prompt.empty() && command->plan_file.empty() && command->images.empty())
       throw CLI::ValidationError("prompt", "say what the room shall be, or give --plan");
     let_model_design(*sub, command->designer);
+    if (!command->images.empty() && !command->designer.reads_by_model())
+      throw CLI::ValidationError("--image",
+                                 "a language model reads pictures: name one with --model "
+                                 "(docs/models.md), or say in words what they show");
     apply_preset(command->designer);
-    context.run = [command, &context] { return run(context, *command); };
+    context.run = [command, &context]() -> Result<int> {
+      auto pictures = read_wish_pictures(command->images, command->designer);
+      if (!pictures) return pictures.error();
+      command->wish.pictures = *std::move(pictures);
+      return run(context, *command);
+    };
   });
 }
 

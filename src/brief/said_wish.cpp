@@ -5,6 +5,7 @@
 
 #include "brief_form.h"
 #include "dwelling_kinds.h"
+#include "picture_text.h"
 #include "prompt.h"
 #include "prompt_passes.h"
 #include "room_type.h"
@@ -145,6 +146,7 @@ WishReading wish_from_json(const Json& json, const std::string& prompt, const Ro
                                        prompt, kinds, table);
     if (!alone.is_empty) return alone;
   }
+  name_pictures(result.wish.form, prompt, result.wish.brief.tokens);
   result.is_empty = !result.wish.dwelling && !result.wish.brief.understood;
   conclude(result.wish.brief, kinds, table);
   return result;

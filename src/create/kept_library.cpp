@@ -36,6 +36,14 @@ std::string kind_of(const std::string& name) {
   return phrase.known ? phrase.kind : lower(name);
 }
 
+// What somebody made stands for no other thing of its kind.
+bool is_called(const AssetQuery& query, const std::string& name) {
+  const auto said = words(query.category + " " + query.description), all = words(name);
+  return std::all_of(all.begin(), all.end(), [&](const std::string& word) {
+    return std::find(said.begin(), said.end(), word) != said.end();
+  });
+}
+
 Result<Kept> read_kept(const fs::path& path) {
   const auto text = read_file(path);
   if (!text) return text.error();
@@ -70,7 +78,8 @@ class KeptLibrary final : public AssetLibrary {
     for (const auto& [id, kept] : kept_) {
       const double fit = vocabulary.fit(kept.kind, kind_of(query.category));
       const bool instead = query.asked && !vocabulary.is_a(kept.kind, kind_of(query.category));
-      if (fit <= 0.0 || instead || matches.size() >= query.limit) continue;
+      const bool is_other = fit <= 0.0 || instead || !is_called(query, kept.program.name);
+      if (is_other || matches.size() >= query.limit) continue;
       AssetInfo info = info_of(id, kept);
       info.mount = query.mount.value_or(info.mount);
       matches.push_back({info, kept_score * fit});

@@ -155,6 +155,7 @@ Result<std::optional<DwellingPlan>> plan_dwelling(const PlanRequest& request, De
     own.prompt = is_said ? request.prompt : "a " + rooms[i].type;
     own.seed = random.fork("plan of " + rooms[i].id).fork("seed").next();
     own.room = rooms[i];
+    own.pictures = request.pictures;
     own.cancel = request.cancel;
     if (is_said)
       own.said = std::make_shared<brief::SaidWish>(

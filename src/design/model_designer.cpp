@@ -32,14 +32,16 @@ class ModelDesigner : public Designer {
         categories_(categories),
         options_(std::move(options)),
         prompts_(prompts),
-        questions_(std::move(prompts), options_) {}
+        questions_(std::move(prompts), options_) {
+    forget();
+  }
 
   Result<Plan> plan(const PlanRequest& request) override {
     const brief::Brief brief = brief_of(request);
     auto question = questions_.to_plan(request, brief);
     if (!question) return question.error();
     planning_ = {};
-    idea_.clear(), told_.clear(), told_elsewhere_.clear();
+    forget();
     planning_.prompt_sha256 = sha256_hex(question->messages.back().text);
     std::optional<design::PlanReply> incomplete;  // what is forgotten goes back once
     const auto read = [&](const std::string& text) -> Result<design::PlanReply> {
@@ -104,7 +106,7 @@ class ModelDesigner : public Designer {
 
   Result<PlaceAdvice> place(const PlaceRequest& request) override {
     Consultation consultation;
-    if (auto advice = told_already(request)) return *std::move(advice);
+    if (auto advice = told_already(request, consultation.notes)) return *std::move(advice);
     // What lies on a thing of its group is no question: it goes there as such things do.
     if (request.lost_place_in_group && request.object.mount == Mount::surface)
       return make_rule_designer()->place(request);
@@ -130,6 +132,12 @@ class ModelDesigner : public Designer {
   }
 
  private:
+  // Of an earlier room.
+  void forget() {
+    idea_.clear(), told_.clear(), told_elsewhere_.clear();
+    for (const auto& [id, text] : options_.places) told_[id] = {text, "", nullptr};
+  }
+
   static void note(Plan& plan, const std::vector<std::string>& notes) {
     plan.notes.insert(plan.notes.end(), notes.begin(), notes.end());
   }
@@ -160,7 +168,8 @@ class ModelDesigner : public Designer {
   };
 
   // What was answered together with another thing, while what carries both stands as it did.
-  std::optional<PlaceAdvice> told_already(const PlaceRequest& request) {
+  std::optional<PlaceAdvice> told_already(const PlaceRequest& request,
+                                          std::vector<std::string>& notes) {
     const auto found = told_.find(request.object.id);
     if (found == told_.end()) return std::nullopt;
     const Told told = std::move(found->second);
@@ -168,7 +177,7 @@ class ModelDesigner : public Designer {
     const bool again = !request.refusals.empty() || !request.objections.empty();
     if (again || (told.then && !stand_as_then(*told.then, request.scene))) return std::nullopt;
     auto reply = design::read_place_reply(told.text, context_of(request));
-    if (!reply) return std::nullopt;
+    if (!reply) return notes.push_back(reply.error().message), std::nullopt;
     if (options_.mode != ModelMode::fused) reply->advice.location.reset(), reply->advice.yaw.reset();
     Consultation& consultation = reply->advice.consultation;
     consultation.prompt_sha256 = told.prompt;

@@ -117,7 +117,7 @@ std::string later(const PlaceRequest& request) {
 
 std::string requirement_lines(const std::vector<Requirement>& requirements) {
   std::string lines;
-  for (const auto& one : requirements) lines += one.id + ": " + one.clause + "\n";
+  for (const auto& one : requirements) lines += one.id + ": " + told(one) + "\n";
   return lines.empty() ? "nothing in particular\n" : lines;
 }
 
@@ -155,7 +155,17 @@ Result<ChatRequest> ModelQuestions::to_plan(const PlanRequest& request, const br
   question->schema_name = "plan";
   question->max_tokens = options_.plan_tokens;
   question->cancel = request.cancel;
+  if (request.pictures.empty()) return question;
+  auto pictures = prompts_.render("design-pictures", {{"count", counted_pictures(request)}});
+  if (!pictures) return pictures.error();
+  question->messages.back().text += "\n" + *pictures;
+  question->messages.back().images = request.pictures;
   return question;
+}
+
+std::string counted_pictures(const PlanRequest& request) {
+  const std::size_t count = request.pictures.size();
+  return count == 1 ? "a picture" : std::to_string(count) + " pictures";
 }
 
 Result<Prompts::Slots> ModelQuestions::system_slots(const SceneText& text) const {

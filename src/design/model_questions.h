@@ -44,4 +44,7 @@ class ModelQuestions {
   const ModelDesignerOptions& options_;
 };
 
+/// "a picture", "3 pictures": those of a wish.
+std::string counted_pictures(const PlanRequest& request);
+
 }  // namespace roomgen::design

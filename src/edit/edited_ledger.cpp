@@ -111,6 +111,7 @@ Requirement fewer(const Requirement& requirement, const std::vector<std::string>
   Requirement now = requirement;
   now.id.clear();
   now.source = Requirement::Source::edit;
+  now.picture = 0;
   now.subjects = left;
   now.count = requirement.count - static_cast<int>(requirement.subjects.size() - left.size());
   now.clause = counted(now.count, requirement.category);

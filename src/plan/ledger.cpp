@@ -8,6 +8,7 @@
 #include "coverage.h"
 #include "floor_plan.h"
 #include "blocks.h"
+#include "brief/picture_text.h"
 #include "room_clauses.h"
 #include "roomgen/base/text.h"
 #include "scene/attribute_names.h"
@@ -64,6 +65,7 @@ class Ledger {
   void add(Requirement requirement, std::vector<std::size_t> said_by) {
     std::erase(said_by, brief::HeardWords::none);
     if (said_by.empty()) return;
+    requirement.picture = picture_of_all(said_by);
     const auto same = std::find_if(
         requirements_.begin(), requirements_.end(), [&](const Requirement& known) {
           requirement.id = known.id;
@@ -74,6 +76,17 @@ class Ledger {
       requirements_.push_back(requirement);
     }
     for (const std::size_t heard : said_by) ids_by_words_[heard].push_back(requirement.id);
+  }
+
+  // Of what words of the wish say besides, they are the source.
+  int picture_of_all(const std::vector<std::size_t>& said_by) const {
+    int picture = 0;
+    for (const std::size_t heard : said_by) {
+      const auto& token = brief_.tokens[brief_.heard[heard].tokens.begin];
+      picture = brief::picture_of(request_.prompt, token.span.begin);
+      if (picture == 0) break;
+    }
+    return picture;
   }
 
   // What of a mention's words was taken for that, and of attributes for this one.

@@ -56,6 +56,20 @@ T read_name(const JsonReader& json, Names<T> names) {
 
 constexpr std::size_t max_ids = 500;
 constexpr int max_count = 10000;
+constexpr std::string_view image = "image ";
+constexpr int most_images = 9;
+
+std::string source_text(const Requirement& requirement) {
+  if (requirement.picture == 0) return std::string(name(requirement.source));
+  return std::string(image) + std::to_string(requirement.picture);
+}
+
+void read_source(const JsonReader& json, Requirement& requirement) {
+  const std::string text = json.text(50);
+  for (int k = 1; k <= most_images; ++k)
+    if (text == std::string(image) + std::to_string(k)) requirement.picture = k;
+  if (requirement.picture == 0) requirement.source = read_name<Requirement::Source>(json, sources);
+}
 
 std::vector<std::string> read_ids(const JsonReader& json) {
   std::vector<std::string> ids;
@@ -68,8 +82,7 @@ Requirement read_members(const JsonReader& json) {
   requirement.id = json["id"].text_or("", 200);
   requirement.clause = json["clause"].text_or("");
   requirement.kind = read_name<Requirement::Kind>(json["kind"], kinds);
-  if (json["source"].exists())
-    requirement.source = read_name<Requirement::Source>(json["source"], sources);
+  if (json["source"].exists()) read_source(json["source"], requirement);
   requirement.category = json["category"].text_or("", 200);
   requirement.subjects = read_ids(json["subjects"]);
   requirement.count = static_cast<int>(json["count"].integer_or(1, 0, max_count));
@@ -103,6 +116,10 @@ std::string_view name(Requirement::Source source) {
   return name_in<Requirement::Source>(sources, source);
 }
 
+std::string told(const Requirement& requirement) {
+  return requirement.clause + (requirement.picture > 0 ? " (" + source_text(requirement) + ")" : "");
+}
+
 std::string_view name(Compliance compliance) {
   return name_in<Compliance>(compliances, compliance);
 }
@@ -122,7 +139,7 @@ Json to_json(const Requirement& requirement) {
   if (!requirement.id.empty()) json["id"] = requirement.id;
   json["clause"] = requirement.clause;
   json["kind"] = name(requirement.kind);
-  json["source"] = name(requirement.source);
+  json["source"] = source_text(requirement);
   json["category"] = requirement.category;
   switch (requirement.kind) {
     case Requirement::Kind::count:

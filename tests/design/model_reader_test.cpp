@@ -100,6 +100,36 @@ TEST_CASE("The ledger is what the model read, and nothing that rules would read 
   CHECK(heard_as(plan.heard, prompt, "Lampen") == Heard::As::not_understood);
 }
 
+TEST_CASE("What a picture shows is read as words of the wish, and its requirements say so") {
+  const Json form = {
+      {"pictures", {{{"says", "A bedroom with a\nblue bed and a desk."}, {"scale", "the door is 0.9 m"}}}},
+      {"room", {{"type", "bedroom"}, {"words", {"bedroom"}}}},
+      {"things", {thing("t1", "bed", 1, {"bed"}), thing("t2", "desk", 1, {"desk #1", "desk #2"})}},
+      {"absences", {{{"name", "rug"}, {"words", {"no rug"}}}}}};
+  Json looks = form;
+  looks["things"][0]["looks"] = {{{"look", "blue"}, {"words", {"blue"}}}};
+  Talk talk({looks.dump()});
+  talk.request.pictures = {"a PNG"};
+  talk.read("a desk, no rug");
+  CHECK(talk.script->questions[0].messages.back().images == talk.request.pictures);
+  CHECK(talk.request.prompt == "a desk, no rug\nImage 1: A bedroom with a blue bed and a desk.");
+  const Plan plan = talk.plan();
+  std::string told_all;
+  for (const auto& requirement : plan.requirements) told_all += told(requirement) + "; ";
+  CHECK(told_all == "a bed (image 1); blue bed (image 1); a desk; no rug; a bedroom (image 1); ");
+  for (const auto& words : plan.heard) CHECK(words.as != Heard::As::not_understood);
+  const Json brief = *brief_json(talk.request);
+  CHECK(brief["things"][0]["source"] == "image 1");
+  CHECK_FALSE(brief["things"][1].contains("source"));
+  CHECK(brief["room"]["source"] == "image 1");
+
+  Talk blind({R"({"room": {"type": "bedroom", "words": []}, "things": []})"}, {.answers = 1});
+  blind.request.pictures = {"a PNG"};
+  const auto status = blind.reader->read(blind.request);
+  REQUIRE_FALSE(status);
+  CHECK(contains_text(status.error().message, "what image 1 shows"));
+}
+
 TEST_CASE(
     "Words are found where they are said of the thing, and the n-th time where that is told") {
   const std::string prompt = "A study with a red chair, a red table and a red chair by the window.";

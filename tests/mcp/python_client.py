@@ -15,7 +15,9 @@ from pathlib import Path
 import anyio
 from mcp import Client, MCPError, StdioServerParameters
 
-TOOLS = {"plan", "generate", "compose", "optimise", "edit", "preview", "check", "explain", "undo", "redo", "history", "branch", "import", "render", "export"}
+TOOLS = {"read", "plan", "candidates", "generate", "compose", "optimise", "create", "edit", "preview", "check", "explain",
+         "undo", "redo", "history", "branch", "import", "review", "render", "export", "rooms", "delete"}  # fmt: skip
+
 
 
 def text_of(result):
@@ -101,6 +103,68 @@ async def look(client, root):
     assert glb.startswith(b"glTF") and len(glb) == exported.structured_content["bytes"]
 
 
+WISH = "a reading room with a rust armchair and a globe"
+DESIGN = {
+    "concept": "An armchair by the window.",
+    "room": {"type": "library", "size_m": [4.0, 3.6], "height_m": 2.6},
+    "openings": [{"kind": "door", "wall": "east", "at": 0.2, "width": 0.9}, {"kind": "window", "wall": "south", "at": 0.5, "width": 1.6}],
+    "groups": [{"id": "sitting", "things": [
+        {"part": "chair", "name": "armchair", "description": "rust leather armchair", "quantity": 1},
+        {"part": "table", "name": "side table", "description": "round oak side table", "quantity": 1, "where": "astride chair"}]}],
+    "objects": [{"name": "bookshelf", "description": "oak bookshelf", "size_cm": [100, 32, 200], "quantity": 1, "place": "floor"},
+                {"name": "reading lectern", "description": "reading lectern of oak", "quantity": 1, "place": "floor"}],
+}  # fmt: skip
+
+
+async def design(client, root):
+    """An agent designs as a model does: reading, whole plan, choices by label, places; what is not followed is told."""
+    read = await done(client, "read", prompt=WISH)
+    assert "r1: a armchair" in text_of(read) and "r2: rust armchair" in text_of(read), text_of(read)
+    brief = read.structured_content["brief"]
+    brief["things"] = [thing for thing in brief["things"] if thing["name"] != "globe"]
+    again = await done(client, "read", prompt=WISH, brief=brief)
+    assert not any("globe" in each["clause"] for each in again.structured_content["requirements"]), again
+    await refused(client, "read", "/brief", prompt=WISH, brief={"things": "none"})
+    made = await done(client, "create", words="a lectern of oak with a sloped top", name="reading lectern", size=[0.5, 0.4, 1.1])
+    picture_of(made)
+    assert made.structured_content["name"] == "reading lectern"
+    found = await done(client, "candidates", things=["reading lectern", "globe"])
+    assert "1a: reading lectern" in text_of(found) and "2a: globe" in text_of(found), text_of(found)
+    offered = await done(client, "candidates", prompt=WISH, design=DESIGN)
+    assert any(part.type == "image" and part.mime_type == "image/jpeg" for part in offered.content), offered
+    rows = [line for line in text_of(offered).splitlines() if line[:1].isdigit()]
+    chair = next(line for line in rows if "armchair" in line).split(".")[0]
+    shelf = next(line for line in rows if "bookshelf" in line).split(".")[0]
+    room = await done(client, "generate", folder="designed", prompt=WISH, design=DESIGN, picture="elevation",
+                      choices=[{"item": chair, "take": chair + "a", "paint": "rust leather"},
+                               {"item": shelf, "take": "leave out", "why": "no books here"}, {"item": "99", "take": "99a"}],
+                      places=[{"id": "armchair-0", "constraints": "near, window-0", "location": [2.0, 1.6], "facing": 180},
+                              {"id": "harp-0", "location": [1, 1]}])  # fmt: skip
+    notes = "\n".join(room.structured_content["notes"])
+    for part in ("does not say where it is", "harp-0", "no books here", "99"):
+        assert part in notes, (part, notes)
+    scene = json.loads((root / "designed/scene.json").read_text())
+    things = {thing["id"]: thing for thing in scene["objects"]}
+    assert "rust" in json.dumps(things["armchair-0"]["asset"]) and "bookshelf-0" not in things, things
+    lectern = next(thing for name, thing in things.items() if name.startswith("lectern"))
+    assert lectern["asset"]["library"] == "kept", lectern
+    assert max(abs(a - b) for a, b in zip(things["armchair-0"]["position"], [2.0, 1.6])) < 0.3, things["armchair-0"]
+    await refused(client, "generate", "/design", folder="other", prompt=WISH, design={"objects": []})
+    await refused(client, "generate", "of one room", folder="other", prompt="a flat: a bedroom and a kitchen", design=DESIGN)
+    await refused(client, "generate", "either prompt or plan", folder="other", plan="plans/study.json", design=DESIGN)
+    seen = await done(client, "review", room="designed")
+    assert len([part for part in seen.content if part.type == "image"]) == 4 and "r1: " in text_of(seen), text_of(seen)
+    photo = await done(client, "render", room="designed", pixels=200, camera={"eye": [1, 1, 1.6], "target": [3, 3, 1]})
+    assert picture_of(photo) == (200, 150)
+    await refused(client, "render", "/camera/eye", room="designed", camera={"eye": [99, 1, 1.6], "target": [3, 3, 1]})
+    assert "designed" in (await done(client, "rooms")).structured_content["rooms"]
+    (root / "designed/own.txt").write_text("mine")
+    await done(client, "delete", room="designed")
+    assert [each.name for each in (root / "designed").iterdir()] == ["own.txt"]
+    shutil.rmtree(root / "designed")
+    await refused(client, "delete", "rooms are", room="designed")
+
+
 async def clauses(client, root, roomgen):
     """Tool and command count the same, and nothing that an edit withdrew."""
     before = (await done(client, "check", room="study")).structured_content
@@ -164,7 +228,12 @@ async def as_meant(client, root):
 
 async def resources(client, root):
     listed = {str(each.uri) for each in (await client.list_resources()).resources}
-    assert listed == {"roomgen:///study/scene.json", "roomgen:///study/ledger.json"}, listed
+    guides = {uri for uri in listed if uri.startswith("roomgen:///docs/")}
+    assert listed - guides == {"roomgen:///study/scene.json", "roomgen:///study/ledger.json"}, listed
+    for uri in guides:
+        guide = (await client.read_resource(uri)).contents[0]
+        assert guide.mime_type == "text/markdown" and len(guide.text) > 500 and "{{" not in guide.text, uri
+    assert "roomgen:///docs/skill.md" in guides and "roomgen:///docs/plan-form.md" in guides
     scene = await client.read_resource("roomgen:///study/scene.json")
     assert scene.contents[0].text == (root / "study/scene.json").read_text()
     ledger = json.loads((await client.read_resource("roomgen:///study/ledger.json")).contents[0].text)
@@ -204,6 +273,12 @@ async def wrong_calls(client, root):
     await refused(client, "check", "is no scene", room="study/scene.glb")
     await refused(client, "export", "a room's own file", room="study", file="study/scene.glb")
     await refused(client, "plan", "a room's own file", prompt="a study", save_to="study/plan.json")
+    os.symlink(outside, root / ".made.link")
+    os.rename(root / ".made", root / ".made.real")
+    os.rename(root / ".made.link", root / ".made")
+    await refused(client, "create", "leads out of the root folder", words="a round stool with three legs")
+    os.unlink(root / ".made")
+    os.rename(root / ".made.real", root / ".made")
     (root / "package.json").write_text("{}")
     await refused(client, "plan", "not of this kind", prompt="a study", save_to="package.json")
     await done(client, "plan", prompt="a study", save_to="plans/study.json")
@@ -270,6 +345,7 @@ async def talk(roomgen, root, mode):
         await change(client, root)
         await look(client, root)
         await clauses(client, root, roomgen)
+        await design(client, root)
         if mode == "auto":  # whatever the revision
             await long_answers(client, root)
             await as_meant(client, root)

@@ -33,7 +33,7 @@ async function refused(name, args, part) {
 }
 
 const { tools } = await client.listTools();
-assert.equal(tools.length, 15);
+assert.equal(tools.length, 21);
 
 const made = await done('generate', { folder: 'study', prompt: 'a small study with a desk and a chair' });
 assert.equal(made.structuredContent.room, 'study');
@@ -58,7 +58,7 @@ await done('render', { room: 'study', view: '', pixels: '128', file: null });
 await refused('edit', { room: 'study', change: '', operations: [] }, /either change or operations/);
 
 const { resources } = await client.listResources();
-assert.equal(resources.length, 2);
+assert.equal(resources.filter(({ uri }) => !uri.startsWith('roomgen:///docs/')).length, 2);
 const ledger = await client.readResource({ uri: 'roomgen:///study/ledger.json' });
 assert.ok(JSON.parse(ledger.contents[0].text).requirements.length > 0);
 await assert.rejects(client.readResource({ uri: 'roomgen:///none/scene.json' }));

@@ -45,6 +45,24 @@ ToolAnswer understood(const Json& operations) {
                      {{"operations", operations}});
 }
 
+using Step = Result<std::size_t> (Session::*)(std::size_t, const std::string&);
+
+Result<ToolAnswer> take_steps(Workplace& place, const ToolCall& call, Step step, const std::string& name) {
+  std::vector<std::string> notices;
+  auto room = open_room(place, call.arguments["room"].get<std::string>(), notices, {});
+  if (!room) return room.error();
+  const Scene before = room->session.scene();
+  const auto taken = (room->session.*step)(call.arguments.value("steps", std::size_t{1}), asker);
+  if (!taken) return taken.error();
+  if (*taken == 0) return Error{Error::Kind::not_found, "there is nothing to " + name};
+  write_followers(place, *room, notices);
+  auto changes = differences(before, room->session.scene());
+  Json data = {{"steps", *taken}, {"changes", changes}};
+  return answer_of(place, *room, call, std::move(changes), notices, std::move(data));
+}
+
+}  // namespace
+
 Result<ToolAnswer> edit_room(Workplace& place, const ToolCall& call) {
   std::vector<std::string> notices;
   const bool dry_run = call.arguments.value("dry_run", false);
@@ -61,22 +79,6 @@ Result<ToolAnswer> edit_room(Workplace& place, const ToolCall& call) {
   Json data = cli::report_json(*report);
   data["operations"] = json;
   return answer_of(place, *room, call, cli::report_lines(*report), notices, std::move(data));
-}
-
-using Step = Result<std::size_t> (Session::*)(std::size_t, const std::string&);
-
-Result<ToolAnswer> take_steps(Workplace& place, const ToolCall& call, Step step, const std::string& name) {
-  std::vector<std::string> notices;
-  auto room = open_room(place, call.arguments["room"].get<std::string>(), notices, {});
-  if (!room) return room.error();
-  const Scene before = room->session.scene();
-  const auto taken = (room->session.*step)(call.arguments.value("steps", std::size_t{1}), asker);
-  if (!taken) return taken.error();
-  if (*taken == 0) return Error{Error::Kind::not_found, "there is nothing to " + name};
-  write_followers(place, *room, notices);
-  auto changes = differences(before, room->session.scene());
-  Json data = {{"steps", *taken}, {"changes", changes}};
-  return answer_of(place, *room, call, std::move(changes), notices, std::move(data));
 }
 
 Result<ToolAnswer> tell_history(Workplace& place, const ToolCall& call) {
@@ -146,30 +148,12 @@ Result<ToolAnswer> import_poses(Workplace& place, const ToolCall& call) {
   return answer_of(place, *room, call, cli::report_lines(*report), notices, cli::report_json(*report));
 }
 
-}  // namespace
-
-Tool branch_tool(Workplace& place) {
-  return [&place](const ToolCall& call) { return go_to_branch(place, call); };
+Result<ToolAnswer> undo_edits(Workplace& place, const ToolCall& call) {
+  return take_steps(place, call, &Session::undo, "undo");
 }
 
-Tool import_tool(Workplace& place) {
-  return [&place](const ToolCall& call) { return import_poses(place, call); };
-}
-
-Tool edit_tool(Workplace& place) {
-  return [&place](const ToolCall& call) { return edit_room(place, call); };
-}
-
-Tool undo_tool(Workplace& place) {
-  return [&place](const ToolCall& call) { return take_steps(place, call, &Session::undo, "undo"); };
-}
-
-Tool redo_tool(Workplace& place) {
-  return [&place](const ToolCall& call) { return take_steps(place, call, &Session::redo, "redo"); };
-}
-
-Tool history_tool(Workplace& place) {
-  return [&place](const ToolCall& call) { return tell_history(place, call); };
+Result<ToolAnswer> redo_edits(Workplace& place, const ToolCall& call) {
+  return take_steps(place, call, &Session::redo, "redo");
 }
 
 }  // namespace roomgen::mcp

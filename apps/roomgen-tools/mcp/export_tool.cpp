@@ -10,6 +10,8 @@ namespace roomgen::mcp {
 
 namespace {
 
+}  // namespace
+
 Result<ToolAnswer> export_room(Workplace& place, const ToolCall& call) {
   std::vector<std::string> notices;
   auto room = look_at_room(place, call, notices);
@@ -24,12 +26,6 @@ Result<ToolAnswer> export_room(Workplace& place, const ToolCall& call) {
   std::vector<std::string> lines = {name + ": " + std::to_string(bytes->size()) + " bytes"};
   if (!credits.empty()) lines.push_back(credits);
   return text_answer(text_of(lines), {{"file", name}, {"bytes", bytes->size()}, {"attribution", credits}});
-}
-
-}  // namespace
-
-Tool export_tool(Workplace& place) {
-  return [&place](const ToolCall& call) { return export_room(place, call); };
 }
 
 }  // namespace roomgen::mcp

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "agent_design.h"
 #include "arguments.h"
 #include "check_report.h"
 #include "room_files.h"
@@ -10,20 +11,6 @@
 namespace roomgen::mcp {
 
 namespace {
-
-Result<cli::AnyPlan> wanted_plan(const Workplace& place, const ToolCall& call, Designer& designer) {
-  const bool has_prompt = call.arguments.contains("prompt");
-  if (has_prompt == call.arguments.contains("plan"))
-    return Error{Error::Kind::invalid_input, "generate: give either prompt or plan"};
-  if (!has_prompt) {
-    const auto file = place.root.find(call.arguments["plan"].get<std::string>());
-    if (!file) return with_context(file.error(), "/plan");
-    return cli::read_any_plan(file->string());
-  }
-  const auto wish = plan_wish(place, call.arguments);
-  if (!wish) return wish.error();
-  return cli::make_plan(*wish, designer, call.cancel);
-}
 
 // Between two things that were tried, so that each event is further than the one before.
 double how_far(const BuildEvent& event) {
@@ -46,22 +33,27 @@ Result<Generation> furnish(const Workplace& place, const ToolCall& call, const c
   BuildOptions options;
   options.seed = std::visit([](const auto& each) { return each.seed; }, plan);
   options.cancel = call.cancel;
-  options.tells_least = call.arguments.contains("plan") || !std::holds_alternative<Plan>(plan);
+  options.tells_least = !call.arguments.contains("prompt") || call.arguments.contains("design") ||
+                        !std::holds_alternative<Plan>(plan);
   options.on_event = [&call](const BuildEvent& event) {
     call.progress(how_far(event), static_cast<double>(event.total + 1), in_words(event));
   };
   return std::visit(
-      [&](const auto& each) { return generate(each, designer, place.library, KindTable::built_in(), options); }, plan);
+      [&](const auto& each) { return generate(each, designer, *place.library, KindTable::built_in(), options); }, plan);
 }
 
 Error with_least(const Workplace& place, const ToolCall& call, const Error& error,
                  const cli::AnyPlan* plan) {
-  const auto wish = call.arguments.contains("prompt") ? plan_wish(place, call.arguments)
-                                                      : Result<cli::PlanWish>(error);
+  const bool is_by_rules = call.arguments.contains("prompt") && !call.arguments.contains("design");
+  const auto wish = is_by_rules ? plan_wish(place, call.arguments) : Result<cli::PlanWish>(error);
   BuildOptions options;
   options.cancel = call.cancel;
   if (wish) options.seed = wish->seed;
-  return wish ? cli::told_with_least_size(error, *wish, plan, place.library, options) : error;
+  return wish ? cli::told_with_least_size(error, *wish, plan, *place.library, options) : error;
+}
+
+bool is_designed(const Json& arguments) {
+  return arguments.contains("choices") || arguments.contains("places");
 }
 
 Json answer_json(const std::string& name, const Generation& made) {
@@ -80,34 +72,33 @@ Json answer_json(const std::string& name, const Generation& made) {
   return json;
 }
 
-Result<ToolAnswer> make_room(Workplace& place, const ToolCall& call) {
+}  // namespace
+
+Result<ToolAnswer> generate_room(Workplace& place, const ToolCall& call) {
   const auto folder = new_room_folder(place, call.arguments);
   if (!folder) return folder.error();
-  const auto designer = make_rule_designer();
-  const auto plan = wanted_plan(place, call, *designer);
+  AgentDesign agent = agent_design(call.arguments, false);
+  const auto plan = wanted_plan(place, call, agent);
   if (!plan) return with_least(place, call, plan.error(), nullptr);
   auto output = open_room_folder(*folder, false);
   if (!output) return output.error();
-  const auto made = furnish(place, call, *plan, *designer);
+  const auto rules = make_rule_designer();
+  auto made = furnish(place, call, *plan, is_designed(call.arguments) ? *agent.designer : *rules);
   if (!made) return with_least(place, call, made.error(), &*plan);
+  for (const auto& notes : {notes_on_answers(call.arguments, *made), cli::notes_of(*plan)})
+    made->notes.insert(made->notes.begin(), notes.begin(), notes.end());
   if (call.cancel.cancelled()) return Error{Error::Kind::cancelled, "stopped; nothing was written"};
   cli::PictureDrawer* drawer = place.keeps_pictures ? &place.drawer : nullptr;
-  if (auto status = cli::write_new_room(*output, cli::plan_json(*plan), *made, drawer, kept_pixels); !status)
+  if (auto status = cli::write_new_room(*output, cli::plan_json(*plan, *made), *made, drawer, kept_pixels); !status)
     return status.error();
   if (auto status = output->commit(); !status) return status.error();
   const std::string name = place.root.name_of(*folder);
   std::vector<std::string> lines = {name + ": " + cli::headline(made->scene)};
-  for (const auto& each : {cli::note_lines(*plan, *made), cli::lack_lines(made->scene)})
-    lines.insert(lines.end(), each.begin(), each.end());
+  for (const auto& note : made->notes) lines.push_back("note: " + note);
+  for (auto& lack : cli::lack_lines(made->scene)) lines.push_back(std::move(lack));
   ToolAnswer answer = text_answer(text_of(lines), answer_json(name, *made));
   add_wanted_picture(place, made->scene, made->models, call, answer);
   return answer;
-}
-
-}  // namespace
-
-Tool generate_tool(Workplace& place) {
-  return [&place](const ToolCall& call) { return make_room(place, call); };
 }
 
 }  // namespace roomgen::mcp

@@ -7,6 +7,7 @@
 #include "page.h"
 #include "roomgen/base/file.h"
 #include "roomgen/base/text.h"
+#include "roomgen/render/pictures.h"
 #include "tools.h"
 
 namespace roomgen::mcp {
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr std::size_t most_of_prompt = 2'000, most_of_trace = 20'000;  // bytes
+constexpr int reviewed_pixels = 768;
 
 std::size_t skipped(const ToolCall& call) { return call.arguments.value("skip", std::size_t{0}); }
 
@@ -25,7 +27,44 @@ void shorten_trace(cli::Explanation& one) {
   one.lines.push_back("  what was tried for it is too long for an answer: trace.jsonl has it");
 }
 
-Result<ToolAnswer> preview(Workplace& place, const ToolCall& call) {
+SceneReport examined(OpenedRoom& room) {
+  return examine(room.session.scene(), room.session.models(), KindTable::built_in());
+}
+
+Vec3 point_of(const Json& json) {
+  return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
+}
+
+Result<std::string> photograph(Workplace& place, OpenedRoom& room, const Json& json, int pixels) {
+  const auto camera = pinhole_camera(point_of(json["eye"]), point_of(json["target"]),
+                                     json.value("angle_deg", 70.0) * degree, pixels, pixels * 3 / 4);
+  if (!camera) return with_context(camera.error(), "/camera");
+  const Scene& scene = room.session.scene();
+  if (!is_indoors(scene, camera->eye->head<2>()))
+    return Error{Error::Kind::invalid_input,
+                 "/camera/eye: it is in a wall or outdoors; put it into the room"};
+  const auto renderer = place.drawer.renderer();
+  if (!renderer) return renderer.error();
+  const auto layers = (*renderer)->layers(scene, room.session.models(), {*camera, View::Kind::eye});
+  if (!layers) return layers.error();
+  return encode_png(layers->color);
+}
+
+// The ledger, as models that look at rooms are shown it.
+std::vector<std::string> review_lines(const Scene& scene) {
+  std::vector<std::string> lines = {"The wish: " + shortened(scene.prompt, most_of_prompt)};
+  for (const auto& one : scene.requirements)
+    lines.push_back(one.requirement.id + ": " + told(one.requirement) + ": " +
+                    std::string(name(one.compliance)) +
+                    (one.reason.empty() || one.met() ? "" : ", " + one.reason));
+  for (const auto& missing : scene.unplaced)
+    lines.push_back("left out: " + missing.id + ": " + missing.reason);
+  return lines;
+}
+
+}  // namespace
+
+Result<ToolAnswer> preview_pose(Workplace& place, const ToolCall& call) {
   std::vector<std::string> notices;
   auto room = look_at_room(place, call, notices);
   if (!room) return room.error();
@@ -42,11 +81,7 @@ Result<ToolAnswer> preview(Workplace& place, const ToolCall& call) {
   return text_answer(text_of(cli::preview_lines(*result)), cli::preview_json(*result));
 }
 
-SceneReport examined(OpenedRoom& room) {
-  return examine(room.session.scene(), room.session.models(), KindTable::built_in());
-}
-
-Result<ToolAnswer> check(Workplace& place, const ToolCall& call) {
+Result<ToolAnswer> check_room(Workplace& place, const ToolCall& call) {
   std::vector<std::string> notices;
   auto room = look_at_room(place, call, notices);
   if (!room) return room.error();
@@ -59,7 +94,7 @@ Result<ToolAnswer> check(Workplace& place, const ToolCall& call) {
   return page_of(found, skipped(call));
 }
 
-Result<ToolAnswer> explain(Workplace& place, const ToolCall& call) {
+Result<ToolAnswer> explain_room(Workplace& place, const ToolCall& call) {
   std::vector<std::string> notices;
   auto room = look_at_room(place, call, notices);
   if (!room) return room.error();
@@ -80,15 +115,31 @@ Result<ToolAnswer> explain(Workplace& place, const ToolCall& call) {
   return text_answer(text_of(one->lines), std::move(one->data));
 }
 
-Result<ToolAnswer> render(Workplace& place, const ToolCall& call) {
+Result<ToolAnswer> review_room(Workplace& place, const ToolCall& call) {
+  std::vector<std::string> notices;
+  auto room = look_at_room(place, call, notices);
+  if (!room) return room.error();
+  const Scene& scene = room->session.scene();
+  ToolAnswer answer = text_answer(text_of(review_lines(scene)));
+  for (const char* view : {"marks", "iso", "eye", "elevation"}) {
+    const auto png = draw(place, scene, room->session.models(), view, reviewed_pixels);
+    if (!png) return png.error();
+    add_picture(answer, *png);
+  }
+  return answer;
+}
+
+Result<ToolAnswer> render_room(Workplace& place, const ToolCall& call) {
   std::vector<std::string> notices;
   auto room = look_at_room(place, call, notices);
   if (!room) return room.error();
   const std::string view = call.arguments.value("view", "marks");
   const int pixels = call.arguments.value("pixels", 512);
-  const auto png = draw(place, room->session.scene(), room->session.models(), view, pixels);
+  const bool has_camera = call.arguments.contains("camera");
+  const auto png = has_camera ? photograph(place, *room, call.arguments["camera"], pixels)
+                              : draw(place, room->session.scene(), room->session.models(), view, pixels);
   if (!png) return png.error();
-  std::string text = room->name + ", " + view;
+  std::string text = room->name + ", " + (has_camera ? "from the camera" : view);
   if (call.arguments.contains("file")) {
     const auto file = new_file(place, call.arguments["file"].get<std::string>(), ".png");
     if (!file) return file.error();
@@ -98,24 +149,6 @@ Result<ToolAnswer> render(Workplace& place, const ToolCall& call) {
   ToolAnswer answer = text_answer(text);
   add_picture(answer, *png);
   return answer;
-}
-
-}  // namespace
-
-Tool preview_tool(Workplace& place) {
-  return [&place](const ToolCall& call) { return preview(place, call); };
-}
-
-Tool check_tool(Workplace& place) {
-  return [&place](const ToolCall& call) { return check(place, call); };
-}
-
-Tool explain_tool(Workplace& place) {
-  return [&place](const ToolCall& call) { return explain(place, call); };
-}
-
-Tool render_tool(Workplace& place) {
-  return [&place](const ToolCall& call) { return render(place, call); };
 }
 
 }  // namespace roomgen::mcp

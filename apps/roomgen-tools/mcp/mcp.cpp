@@ -89,8 +89,8 @@ Result<int> run(const Context& context, const McpCommand& command) {
   auto root = mcp::RootFolder::open(command.root);
   if (!root) return root.error();
   const ProtocolOutput output;
-  const auto library = make_later_library(command.libraries, context);
-  mcp::Workplace place{*std::move(root), *library, !command.no_pictures};
+  mcp::Workplace place{*std::move(root), make_later_library(command.libraries, context), !command.no_pictures};
+  place.renew_library();
   mcp::Server server(mcp::offer_of(place, ROOMGEN_VERSION), [&](const std::string& line) { output.write(line); });
   return serve(server, context.cancel);
 }

@@ -11,8 +11,9 @@ ToolAnswer text_answer(const std::string& text, Json data) {
   return answer;
 }
 
-void add_picture(ToolAnswer& answer, const std::string& png) {
-  answer.content.push_back({{"type", "image"}, {"data", base64(png)}, {"mimeType", "image/png"}});
+void add_picture(ToolAnswer& answer, const std::string& picture) {
+  const char* type = picture.starts_with("\x89PNG") ? "image/png" : "image/jpeg";
+  answer.content.push_back({{"type", "image"}, {"data", base64(picture)}, {"mimeType", type}});
 }
 
 }  // namespace roomgen::mcp

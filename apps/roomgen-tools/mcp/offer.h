@@ -30,8 +30,8 @@ struct ToolAnswer {
 };
 
 ToolAnswer text_answer(const std::string& text, Json data = nullptr);
-/// A picture of these PNG bytes after what the answer says already.
-void add_picture(ToolAnswer& answer, const std::string& png);
+/// A picture of these PNG or JPEG bytes after what the answer says already.
+void add_picture(ToolAnswer& answer, const std::string& picture);
 
 /// An error becomes an answer that says so, for the model to read.
 using Tool = std::function<Result<ToolAnswer>(const ToolCall&)>;

@@ -56,7 +56,9 @@ Json short_json(const cli::AnyPlan& plan) {
   return json;
 }
 
-Result<ToolAnswer> plan(Workplace& place, const ToolCall& call) {
+}  // namespace
+
+Result<ToolAnswer> plan_room(Workplace& place, const ToolCall& call) {
   const auto wish = plan_wish(place, call.arguments);
   if (!wish) return wish.error();
   const auto designer = make_rule_designer();
@@ -73,12 +75,6 @@ Result<ToolAnswer> plan(Workplace& place, const ToolCall& call) {
     lines.push_back("written to " + place.root.name_of(*file));
   }
   return text_answer(text_of(lines), std::move(data));
-}
-
-}  // namespace
-
-Tool plan_tool(Workplace& place) {
-  return [&place](const ToolCall& call) { return plan(place, call); };
 }
 
 }  // namespace roomgen::mcp

@@ -70,6 +70,25 @@ Result<ToolAnswer> answer(Workplace& place, const ToolCall& call, const fs::path
   return answer;
 }
 
+Result<ComposeRequest> wanted_composition(const Workplace& place, const ToolCall& call) {
+  const auto wish = plan_wish(place, call.arguments);
+  if (!wish) return wish.error();
+  ComposeRequest request;
+  request.plan.prompt = wish->prompt;
+  request.plan.seed = wish->seed;
+  request.plan.cancel = call.cancel;
+  if (!wish->size.empty()) request.plan.size = *cli::parse_size(wish->size);
+  for (const auto& [name, range] : complexity_measures()) {
+    if (!call.arguments.contains(name)) continue;
+    const auto read = range_from(call.arguments[name].get<std::string>(), std::string("/") + name, most_of_measure(name));
+    if (!read) return read.error();
+    request.complexity.*range = *read;
+  }
+  return request;
+}
+
+}  // namespace
+
 Result<ToolAnswer> optimise_room(Workplace& place, const ToolCall& call) {
   const auto folder = new_room_folder(place, call.arguments);
   if (!folder) return folder.error();
@@ -89,7 +108,7 @@ Result<ToolAnswer> optimise_room(Workplace& place, const ToolCall& call) {
   if (!room) return room.error();
   auto output = open_room_folder(*folder, false);
   if (!output) return output.error();
-  const auto stock = load_stock(wishes_for(kinds_to_stock(*program, kinds, options.seed)), place.library, kinds);
+  const auto stock = load_stock(wishes_for(kinds_to_stock(*program, kinds, options.seed)), *place.library, kinds);
   if (!stock) return stock.error();
   for (const auto& kind : stock->missing) lines.push_back("the libraries have no " + kind);
   const auto made = optimise(*program, *room, *stock, kinds, options);
@@ -103,24 +122,7 @@ Result<ToolAnswer> optimise_room(Workplace& place, const ToolCall& call) {
   return answer(place, call, *folder, *output, *made, stock->models, std::move(lines), std::move(data));
 }
 
-Result<ComposeRequest> wanted_composition(const Workplace& place, const ToolCall& call) {
-  const auto wish = plan_wish(place, call.arguments);
-  if (!wish) return wish.error();
-  ComposeRequest request;
-  request.plan.prompt = wish->prompt;
-  request.plan.seed = wish->seed;
-  request.plan.cancel = call.cancel;
-  if (!wish->size.empty()) request.plan.size = *cli::parse_size(wish->size);
-  for (const auto& [name, range] : complexity_measures()) {
-    if (!call.arguments.contains(name)) continue;
-    const auto read = range_from(call.arguments[name].get<std::string>(), std::string("/") + name, most_of_measure(name));
-    if (!read) return read.error();
-    request.complexity.*range = *read;
-  }
-  return request;
-}
-
-Result<ToolAnswer> compose(Workplace& place, const ToolCall& call) {
+Result<ToolAnswer> compose_room(Workplace& place, const ToolCall& call) {
   const auto folder = new_room_folder(place, call.arguments);
   if (!folder) return folder.error();
   const auto request = wanted_composition(place, call);
@@ -135,7 +137,7 @@ Result<ToolAnswer> compose(Workplace& place, const ToolCall& call) {
     call.progress(++rounds, options.rounds, cli::optimisation_headline(round.result));
   };
   const ProgramAuthor author = rule_author();
-  const auto made = compose_room(*request, author, place.library, KindTable::built_in(), options);
+  const auto made = lab::compose_room(*request, author, *place.library, KindTable::built_in(), options);
   if (!made) return made.error();
   const ComposeRound& chosen = made->chosen();
   const int pixels = place.keeps_pictures ? kept_pixels : 0;
@@ -150,16 +152,6 @@ Result<ToolAnswer> compose(Workplace& place, const ToolCall& call) {
   std::vector<std::string> lines = chosen.written.notes;
   for (const auto& line : cli::composed_lines(*made)) lines.push_back(line);
   return answer(place, call, *folder, *output, chosen.result, chosen.models, std::move(lines), std::move(data));
-}
-
-}  // namespace
-
-Tool optimise_tool(Workplace& place) {
-  return [&place](const ToolCall& call) { return optimise_room(place, call); };
-}
-
-Tool compose_tool(Workplace& place) {
-  return [&place](const ToolCall& call) { return compose(place, call); };
 }
 
 }  // namespace roomgen::mcp

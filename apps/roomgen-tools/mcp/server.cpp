@@ -223,8 +223,9 @@ Server::Outcome Server::read_resource(const Call& call) const {
   const std::string uri = text_of(call.request.params, "uri");
   if (uri.empty()) return Fault{invalid_params, "/params/uri: expected a text"};
   const auto text = offer_.read_resource(uri);
-  if (text)
-    return Json{{"contents", Json::array({Json{{"uri", uri}, {"mimeType", "application/json"}, {"text", *text}}})}};
+  const char* type = uri.ends_with(".md") ? "text/markdown" : "application/json";
+  const Json content = {{"uri", uri}, {"mimeType", type}, {"text", text ? *text : ""}};
+  if (text) return Json{{"contents", Json::array({content})}};
   // Since requests name their revision, the protocol has no code of its own for that.
   const ErrorCode code = call.manner.names_version ? invalid_params : resource_not_found;
   return Fault{code, text.error().message, {{"uri", uri}}};

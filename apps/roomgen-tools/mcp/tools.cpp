@@ -3,22 +3,42 @@
 #include <nlohmann/json.hpp>
 
 #include "about.h"
+#include "guides.h"
 #include "resources.h"
 
 namespace roomgen::mcp {
+
+namespace {
+
+const std::map<std::string, RoomTool*>& all_tools() {
+  static const std::map<std::string, RoomTool*> tools = {
+      {"read", read_wish},         {"plan", plan_room},         {"candidates", list_candidates},
+      {"generate", generate_room}, {"compose", compose_room},   {"optimise", optimise_room},
+      {"create", create_thing},    {"edit", edit_room},         {"undo", undo_edits},
+      {"redo", redo_edits},        {"history", tell_history},   {"branch", go_to_branch},
+      {"import", import_poses},    {"preview", preview_pose},   {"check", check_room},
+      {"explain", explain_room},   {"review", review_room},     {"render", render_room},
+      {"export", export_room},     {"rooms", list_rooms},       {"delete", delete_room}};
+  return tools;
+}
+
+}  // namespace
 
 Offer offer_of(Workplace& place, const std::string& version) {
   Offer offer;
   offer.about = about();
   offer.version = version;
-  offer.tools = {{"plan", plan_tool(place)},       {"generate", generate_tool(place)},
-                 {"compose", compose_tool(place)}, {"optimise", optimise_tool(place)}, {"edit", edit_tool(place)},
-                 {"preview", preview_tool(place)}, {"check", check_tool(place)},       {"explain", explain_tool(place)},
-                 {"undo", undo_tool(place)},       {"redo", redo_tool(place)},         {"history", history_tool(place)},
-                 {"branch", branch_tool(place)},   {"import", import_tool(place)},
-                 {"render", render_tool(place)},   {"export", export_tool(place)}};
-  offer.list_resources = [&place] { return list_resources(place.root); };
-  offer.read_resource = [&place](const std::string& uri) { return read_resource(place.root, uri); };
+  for (const auto& [name, tool] : all_tools())
+    offer.tools[name] = [&place, tool](const ToolCall& call) { return tool(place, call); };
+  offer.list_resources = [&place] {
+    Json all = list_guides();
+    for (auto& room : list_resources(place.root)) all.push_back(std::move(room));
+    return all;
+  };
+  offer.read_resource = [&place](const std::string& uri) {
+    auto guide = read_guide(uri);
+    return guide ? Result<std::string>(*std::move(guide)) : read_resource(place.root, uri);
+  };
   return offer;
 }
 

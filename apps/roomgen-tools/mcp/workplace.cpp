@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "roomgen/base/text.h"
+#include "roomgen/create/create.h"
 #include "roomgen/render/pictures.h"
 #include "views.h"
 
@@ -15,12 +16,17 @@ constexpr int best_compression = 9;
 
 }  // namespace
 
+void Workplace::renew_library() {
+  const auto folder = made_folder();
+  library = make_first_of({create::make_kept_library(folder ? *folder : ""), stock});
+}
+
 Result<OpenedRoom> open_room(Workplace& place, const std::string& room, std::vector<std::string>& notices,
                              cli::RoomAccess access) {
   const auto file = place.root.find_scene(room);
   if (!file) return file.error();
   access.tell = [&notices](const std::string& notice) { notices.push_back(notice); };
-  auto session = cli::open_room(*file, place.library, std::move(access));
+  auto session = cli::open_room(*file, *place.library, std::move(access));
   if (!session) return session.error();
   return OpenedRoom{*file, place.root.name_of(file->parent_path()), *std::move(session)};
 }

@@ -14,9 +14,14 @@ namespace roomgen::mcp {
 /// programs may edit them in between; meshes and pictures stay in memory.
 struct Workplace {
   RootFolder root;
-  const AssetLibrary& library;
+  std::shared_ptr<const AssetLibrary> stock;
   bool keeps_pictures = true;  ///< those in a room's folder are drawn anew after each change
   cli::PictureDrawer drawer = {};
+  std::unique_ptr<AssetLibrary> library = {};  ///< what the agent had made, then the stock
+
+  /// Where that is kept, below the root.
+  Result<std::filesystem::path> made_folder() const { return root.find(".made"); }
+  void renew_library();
 };
 
 /// Of the pictures in a room's folder.
@@ -35,7 +40,7 @@ Result<OpenedRoom> open_room(Workplace& place, const std::string& room, std::vec
 /// For looking only, which is possible while somebody else edits.
 Result<OpenedRoom> look_at_room(Workplace& place, const ToolCall& call, std::vector<std::string>& notices);
 
-/// PNG bytes of a view that tools know: marks, top, iso, eye.
+/// PNG bytes of a view that tools know (views.h).
 Result<std::string> draw(Workplace& place, const Scene& scene, const ModelTable& models, const std::string& view,
                          int pixels);
 /// The picture that the arguments ask for after a change; one that cannot be drawn is told in the answer.

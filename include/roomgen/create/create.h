@@ -94,8 +94,8 @@ std::unique_ptr<AssetLibrary> make_created_library();
 std::unique_ptr<AssetLibrary> make_finishing_library(std::shared_ptr<const AssetLibrary> library);
 
 /// The programs of objects that were made and kept: a folder of JSON files, whose "name" says what
-/// they are. Licence CC0. A folder that is not there is empty; files that are no programs are left
-/// out.
+/// they are; a query finds those that it calls by their whole name. Licence CC0. A folder that is
+/// not there is empty; files that are no programs are left out.
 std::unique_ptr<AssetLibrary> make_kept_library(const std::filesystem::path& folder);
 /// Keeps a program in the folder, under a name of its own ("bar-stool-3f2a91.json"), which is
 /// returned. The folder is made if need be.

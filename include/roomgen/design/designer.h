@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -154,13 +155,13 @@ class Designer {
   virtual Result<PlaceAdvice> place(const PlaceRequest& request) = 0;
 };
 
-/// Reads what a wish says. Without one, rules read it where a plan is made.
+/// Reads what a wish says and its pictures show. Without one, rules read it where a plan is made.
 class Reader {
  public:
   virtual ~Reader() = default;
 
   /// Sets PlanRequest::said: designers plan by it, the plan's requirements come from it and from
-  /// nothing else.
+  /// nothing else. The prompt gets a line for each picture; without a reading of these it fails.
   virtual Status read(PlanRequest& request) = 0;
   /// How the last reading came about.
   virtual Consultation consultation() const = 0;
@@ -237,6 +238,8 @@ struct ModelDesignerOptions {
   bool chooses_assets = true;  ///< of each thing, before anything is placed
   bool chooses_order = false;  ///< each answer also says which thing shall come next
   int answers = 3;  ///< asked for at most, for one plan or object, when answers cannot be used
+  /// Answers about places that are known beforehand, by the ids of things, as a model gives them.
+  std::map<std::string, std::string> places = {};
   /// Longest answers, in tokens; what a model thinks before it answers counts too.
   int plan_tokens = 12'000;
   int place_tokens = 1024;

@@ -31,6 +31,9 @@ struct PlanRequest {
   std::optional<Vec2> size;   ///< inner width and depth in metres, whatever the prompt says
   std::optional<Room> room;   ///< a floor plan that is given; then `size` is not used
   CancelToken cancel;
+  /// Of the wish, PNG or JPEG files: photos of rooms, floor plans. A Reader adds what they show to
+  /// the prompt, a line each, "Image 1: ..."; a model that plans sees them too.
+  std::vector<std::string> pictures = {};
   /// What the prompt says, as a Reader (design/designer.h) read it; null, or of another prompt:
   /// rules read it.
   std::shared_ptr<const brief::SaidWish> said = {};

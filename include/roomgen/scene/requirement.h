@@ -44,6 +44,7 @@ struct Requirement {
   std::vector<std::string> targets;   ///< ids or parts of the room, of which one will do; none for
                                       ///< edge and middle
   std::string room;                   ///< id of the room that it is about, in a dwelling
+  int picture = 0;                    ///< which of the wish's shows it; 0: words say it
 
   bool operator==(const Requirement&) const = default;
 };
@@ -106,6 +107,9 @@ struct Heard {
 
 /// "not understood"
 std::string_view name(Heard::As as);
+
+/// Its clause for people, with the picture that shows it: "a desk (image 1)".
+std::string told(const Requirement& requirement);
 
 /// {"id", "clause", "kind", "source", "category", "subjects", "count" | "attribute" | "relation", ...}
 Json to_json(const Requirement& requirement);
