@@ -137,7 +137,9 @@ Result<Model> build_program(const AssetRef& ref) {
   if (!program) return program.error();
   const auto shape = shape::evaluate_within(*program);
   if (!shape) return shape.error();
-  return to_model(*shape);
+  Model model = to_model(*shape);
+  model.making = {all_parts(*program), {}};
+  return model;
 }
 
 Result<Model> made(const AssetRef& ref) {
@@ -214,9 +216,9 @@ class CreatedLibrary final : public AssetLibrary {
     info.name = text_parameter(*ref.procedural, "name");
     const auto phrase = Vocabulary::built_in().understand(info.name);
     info.category = phrase.known ? phrase.kind : info.name;
-    info.approximate = !phrase.known;
     info.group = "made from words";
     info.size = bounds(**model).size();
+    info.elevation = usual_elevation;
     describe_by_kind(info, info.category, true);
     return info;
   }

@@ -7,7 +7,7 @@
 #include "create/finish_look.h"
 #include "design/asset_text.h"
 #include "library/asset_object.h"
-#include "make_asset.h"
+#include "make_things.h"
 #include "offers.h"
 #include "roomgen/base/text.h"
 
@@ -17,7 +17,19 @@ namespace {
 
 constexpr double same_size = 0.02;
 
-/// Writes choices into the plan; what is searched again waits for the next round.
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+void show(const Workplace& place, BuildEvent::Kind kind, const std::string& text) {
+  if (!place.options.on_event) return;
+  BuildEvent event{kind, 0, planned_objects(place.plan).size()};
+  event.text = text;
+  place.options.on_event(event);
+}
+
+/// Writes choices into the plan; what is searched again waits for the next round, what the designer
+/// makes for the end.
 class Chooser {
  public:
   explicit Chooser(Workplace& place) : place_(place) {}
@@ -41,7 +53,42 @@ class Chooser {
     return again;
   }
 
+  // What was ordered, all at once.
+  void make_all() {
+    if (ordered_.empty() || !place_.designer.makes()) return;
+    show(place_, BuildEvent::Kind::making, "making " + counted(ordered_.size(), "thing"));
+    std::vector<AssetOffer> offers;
+    for (const auto& order : ordered_) {
+      offers.push_back(order.offer);
+      const std::string& paint = order.choice.paint;
+      if (!paint.empty()) offers.back().words += "; colours and materials: " + paint;
+    }
+    const auto made = make_things(place_, offers);
+    ChoiceRound told;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      for (const auto& note : made[i].notes) tell(told, offers[i], note);
+      if (made[i].asset) {
+        give(offers[i], plain(ordered_[i].choice), *made[i].asset, told);
+      } else {
+        tell(told, offers[i], "rules make it");
+        make_by_rules(ordered_[i], told);
+      }
+    }
+    for (const auto& note : told.notes) place_.plan.notes.push_back(note);
+  }
+
  private:
+  struct Order {
+    AssetOffer offer;  ///< with the words and the size that were asked for
+    AssetChoice choice;
+  };
+
+  // It has its colours by itself.
+  static AssetChoice plain(AssetChoice choice) {
+    choice.paint.clear();
+    return choice;
+  }
+
   static void tell(ChoiceRound& round, const AssetOffer& offer, const std::string& what) {
     round.notes.push_back(offer.id + ". " + what);
   }
@@ -64,13 +111,21 @@ class Chooser {
   }
 
   std::string make(const AssetOffer& offer, const AssetChoice& choice, ChoiceRound& round) {
+    AssetOffer ordered = offer;
+    if (!choice.words.empty()) ordered.words = choice.words;
+    ordered.size = choice.size.value_or(offer.size);
+    ordered_.push_back({std::move(ordered), choice});
+    if (place_.designer.makes()) return {};
+    return make_by_rules(ordered_.back(), round);
+  }
+
+  std::string make_by_rules(const Order& order, ChoiceRound& round) {
+    const AssetOffer& offer = order.offer;
     const PlanItem& item = place_.plan.items[offer.items.front()];
-    const std::string words = choice.words.empty() ? offer.words : choice.words;
-    auto made = make_asset(place_, item, words, choice.size.value_or(offer.size));
-    const auto& notes = made ? made->notes : std::vector<std::string>{made.error().message};
-    for (const auto& note : notes) tell(round, offer, note);
-    if (made && made->asset) return give(offer, choice, *made->asset, round);
-    tell(round, offer, "\"" + words + "\" cannot be made; the library decides");
+    auto made = made_by_rules(place_, item, offer.words, offer.size);
+    if (!made) tell(round, offer, made.error().message);
+    if (made && *made) return give(offer, order.choice, **made, round);
+    tell(round, offer, "\"" + offer.words + "\" cannot be made; the library decides");
     return {};
   }
 
@@ -107,6 +162,7 @@ class Chooser {
   }
 
   Workplace& place_;
+  std::vector<Order> ordered_;
 };
 
 // Asks, and writes down what was said; false where that was the end.
@@ -114,13 +170,12 @@ bool ask(Workplace& place, ChoiceRound& round, bool again) {
   ChoiceRequest request{place.plan, round.offers, again};
   request.cancel = place.options.cancel;
   if (place.options.renderer) request.sheets = [&] { return sheets_of(place, round.offers); };
+  std::size_t things = 0;
+  for (const auto& offer : round.offers) things += static_cast<std::size_t>(offer.count);
+  show(place, BuildEvent::Kind::choosing,
+       "choosing: " + counted(things, "thing") + ", " + counted(round.offers.size(), "offer"));
   auto answer = place.designer.choose(request);
-  if (!answer) {
-    if (answer.error().kind == Error::Kind::limit) place.stopped = answer.error().message;
-    return false;
-  }
-  tally(answer->consultation, place.model_use);
-  place.model_use.fallbacks = 0;  // those count places
+  if (!account(answer, place)) return false;
   round.answer = *std::move(answer);
   return true;
 }
@@ -151,14 +206,15 @@ void choose_assets(Workplace& place) {
                                " more things were not offered; the library decides");
   Chooser chooser(place);
   for (bool again : {false, true}) {
-    if (offers->empty()) return;
+    if (offers->empty()) break;
     ChoiceRound round;
     round.offers = *std::move(offers);
-    if (!ask(place, round, again)) return;
+    if (!ask(place, round, again)) break;
     offers = chooser.take(round);
     for (const auto& note : round.notes) place.plan.notes.push_back(note);
     place.choices.push_back(std::move(round));
   }
+  chooser.make_all();
 }
 
 }  // namespace roomgen

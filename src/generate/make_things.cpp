@@ -1,0 +1,152 @@
+#include "make_things.h"
+
+#include <nlohmann/json.hpp>
+
+#include "consult.h"
+#include "create/maker_questions.h"
+#include "design/asset_text.h"
+#include "library/qualifiers.h"
+#include "offers.h"
+#include "roomgen/base/text.h"
+#include "roomgen/create/create.h"
+
+namespace roomgen {
+
+namespace {
+
+constexpr std::size_t most_made = 12;  // in one answer
+constexpr std::size_t rows_of_page = 4;
+constexpr double row_pixels = 420.0;
+
+// By the words themselves, whatever the item is called.
+PlanItem named_by(PlanItem item, const std::string& words) {
+  const KindPhrase own = own_name("", words);
+  const std::string head = own.known ? own.kind : qualify(words).head;
+  if (!head.empty()) item.category = head;
+  item.description = words;
+  return item;
+}
+
+/// What a designer makes for one room, from the first answer to what becomes of it.
+class Workshop {
+ public:
+  Workshop(Workplace& place, const std::vector<AssetOffer>& offers)
+      : place_(place), request_{place.plan, {}, create::program_schema()}, made_(offers.size()) {
+    for (const auto& offer : offers)
+      if (request_.things.size() < most_made) request_.things.push_back({offer, {}, {}});
+    for (std::size_t i = most_made; i < offers.size(); ++i)
+      made_[i].notes = {"no more than " + std::to_string(most_made) + " things are made at once"};
+    request_.cancel = place.options.cancel;
+  }
+
+  std::vector<MadeThing> run() {
+    if (!ask()) return std::move(made_);
+    request_.again = true;
+    bool is_to_mend = place_.options.renderer != nullptr;
+    for (std::size_t i = 0; i < request_.things.size(); ++i) {
+      request_.things[i].notes = made_[i].notes;
+      is_to_mend = is_to_mend || !made_[i].notes.empty();
+    }
+    if (place_.options.renderer) request_.sheets = [&] { return sheets(); };
+    if (is_to_mend) ask();
+    return std::move(made_);
+  }
+
+ private:
+  // False where there was no answer.
+  bool ask() {
+    auto answer = place_.designer.make(request_);
+    if (!account(answer, place_)) return false;
+    for (std::size_t i = 0; i < request_.things.size(); ++i) {
+      const auto program = answer->programs.find(i);
+      if (program != answer->programs.end())
+        take(i, program->second);
+      else if (!request_.again)
+        made_[i].notes = {"no program was written for it"};
+    }
+    tell(std::move(answer->consultation));
+    return true;
+  }
+
+  // What was usable before stays until there is something better.
+  void take(std::size_t i, const std::string& program) {
+    MadeThing made;
+    if (auto asset = asset_of(request_.things[i].offer, program, made.notes)) {
+      made.asset = *std::move(asset);
+      made_[i] = std::move(made);
+    } else {
+      const std::string why = "the program cannot be used: " + asset.error().message;
+      made_[i].notes = {why + (made_[i].asset ? "; the one before stays" : "")};
+    }
+    request_.things[i].program = program;
+  }
+
+  // The program is the asset.
+  Result<AssetInfo> asset_of(const AssetOffer& offer, const std::string& program,
+                             std::vector<std::string>& notes) const {
+    const PlanItem& item = place_.plan.items[offer.items.front()];
+    create::Description description;
+    description.noun = item.category;
+    description.prompt = offer.words;
+    description.size = offer.size;
+    create::CreateOptions options;
+    options.seed = place_.options.seed;
+    const auto json = parse_json(program, "the program");
+    if (!json) return json.error();
+    auto object = create::create_written(*json, description, item.mount, options);
+    if (!object) return object.error();
+    for (const auto* told : {&object->notes, &object->repairs, &object->soundness.problems})
+      notes.insert(notes.end(), told->begin(), told->end());
+    AssetRef ref;
+    ref.procedural = {"program", json_line(shape::write_program(object->program)), 0};
+    auto asset = place_.library.find(asset_key(ref));
+    if (asset) asset->mount = item.mount;
+    return asset;
+  }
+
+  // A line of the trace.
+  void tell(Consultation consultation) {
+    ChoiceRound round;
+    round.making = request_.things;
+    round.answer.consultation = std::move(consultation);
+    for (std::size_t i = 0; i < request_.things.size(); ++i) {
+      round.taken.push_back(made_[i].asset ? asset_key(made_[i].asset->ref) : "");
+      for (const auto& note : made_[i].notes)
+        round.notes.push_back(request_.things[i].offer.id + ". " + note);
+    }
+    place_.choices.push_back(std::move(round));
+  }
+
+  Result<std::vector<Image>> sheets() const {
+    std::vector<ContactSheet::Row> rows;
+    for (std::size_t i = 0; i < request_.things.size(); ++i) {
+      if (!made_[i].asset) continue;
+      const AssetOffer& offer = request_.things[i].offer;
+      Object object;
+      object.asset = made_[i].asset->ref;
+      object.size = made_[i].asset->size;
+      const std::string size = size_text(object.size);
+      rows.push_back({design::offer_title(place_.plan, offer), {{object, offer.id, size}}});
+      object.yaw = pi;
+      rows.back().things.push_back({object, offer.id + " from behind", size});
+    }
+    return pages_of(place_, rows, rows_of_page, row_pixels);
+  }
+
+  Workplace& place_;
+  MakingRequest request_;
+  std::vector<MadeThing> made_;
+};
+
+}  // namespace
+
+Result<std::optional<AssetInfo>> made_by_rules(const Workplace& place, const PlanItem& item,
+                                               const std::string& words, const Vec3& size) {
+  return made_of(place, named_by(item, words), size);
+}
+
+std::vector<MadeThing> make_things(Workplace& place, const std::vector<AssetOffer>& offers) {
+  return Workshop(place, offers).run();
+}
+
+}  // namespace roomgen
