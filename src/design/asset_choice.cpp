@@ -24,8 +24,8 @@ constexpr double metres_a_centimetre = 0.01;
 constexpr const char* made_by_itself =
     "What you want to be made you write yourself, in one further answer, as programs of solids with "
     "colours, materials and patterns, and you see it drawn. So make what gives this room its "
-    "character where nothing offered shows it: what the wish names and is marked as not among what "
-    "is offered, above all. Common furniture in stock looks better than what is made.";
+    "character and is not in stock, above all what the wish names: what rules made of the words "
+    "seldom is it at a glance. Common furniture in stock looks better than what is made.";
 constexpr const char* made_by_rules =
     "What is made is plainer than what is in stock: make a thing where nothing offered is what it "
     "should be.";

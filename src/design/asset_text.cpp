@@ -131,7 +131,7 @@ std::string offer_head(const Plan& plan, const AssetOffer& offer) {
 
 std::string offer_text(const Plan& plan, const AssetOffer& offer, bool by_rules) {
   std::string text = offer_head(plan, offer);
-  if (!offer.is_shown) text += "; NOTHING BELOW IS KNOWN TO BE ONE";
+  if (!offer.is_shown) text += "; NOTHING IN STOCK IS ONE";
   for (std::size_t i = 0; i < offer.assets.size(); ++i) text += "\n" + asset_line(offer, i);
   return by_rules ? text + "\n" + making_line(offer) : text;
 }

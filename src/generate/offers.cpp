@@ -78,16 +78,14 @@ PlanItem as_worded(PlanItem item, const std::string& words) {
   return item;
 }
 
-// Are the words only met by what is, or resembles, something else?
-bool is_shown(const PlanItem& item, const AssetOffer& offer) {
-  return !item.asked ||
-         std::any_of(offer.assets.begin(), offer.assets.end(), [&](const OfferedAsset& one) {
-           Object object;
-           object.category = item.category;
-           object.asset = one.asset.ref;
-           object.stand_in = one.asset.stand_in || one.asset.approximate;
-           return identity_rank(identify(object), item.category) >= least_kind_rank;
-         });
+// Rules make things of many names, which seldom are them at a glance.
+bool is_in_stock(const std::string& category, const AssetOffer& offer) {
+  return std::any_of(offer.assets.begin(), offer.assets.end(), [&](const OfferedAsset& one) {
+    Object object;
+    object.asset = one.asset.ref;
+    return !object.asset.procedural &&
+           identity_rank(identify(object), category) >= least_kind_rank;
+  });
 }
 
 // The library's answers, then those to less: of any size, then of any looks.
@@ -107,7 +105,7 @@ Status fill(const Workplace& place, const std::string& words, std::size_t most, 
   offer.made = *std::move(made);
   const bool is_new = offer.made && offer.assets.size() < most && !has(offer.assets, *offer.made);
   if (is_new) offer.assets.push_back(offered(place, item_of(place, offer), *offer.made));
-  offer.is_shown = is_shown(item_of(place, offer), offer);
+  offer.is_shown = is_in_stock(item_of(place, offer).category, offer);
   return {};
 }
 

@@ -15,8 +15,8 @@ namespace {
 const Json program_form = {{"type", "object"}, {"$defs", {{"number", {{"type", "number"}}}}}};
 
 /// A model that is asked for two things of a diner.
-struct Making {
-  explicit Making(std::vector<Result<ChatReply>> answers)
+struct Maker {
+  explicit Maker(std::vector<Result<ChatReply>> answers)
       : script(make_script(std::move(answers))), model(script) {
     plan.prompt = "a diner";
     plan.room = rooms::box(6, 4);
@@ -48,13 +48,13 @@ struct Making {
 };
 
 Reading<std::map<std::size_t, std::string>> programs_in(const std::string& text, bool again) {
-  const Making making({});
+  const Maker making({});
   auto read = design::read_programs(text, making.request(again));
   if (!read) FAIL(read.error().message);
   return *std::move(read);
 }
 
-bool says(const std::vector<std::string>& notes, const std::string& text) {
+bool tells(const std::vector<std::string>& notes, const std::string& text) {
   return std::any_of(notes.begin(), notes.end(),
                      [&](const std::string& note) { return contains_text(note, text); });
 }
@@ -74,12 +74,12 @@ TEST_CASE("Programs of an answer are read by their items, and what is none is to
   CHECK(contains_text(read.value.at(0), "\"body\""));
   for (const char* text : {"/things/1/item: \"99\" was not to be made", "/things/2/program: is no",
                            "/things/3: item 8 was written before", "/things/5: is no object"})
-    CHECK(says(read.repairs, text));
+    CHECK(tells(read.repairs, text));
   CHECK(programs_in(R"({"things": {"3": {"program": {"name": "a"}}}})", false).value.count(0) == 1);
 }
 
 TEST_CASE("Only who looks again may leave everything as it is") {
-  const Making making({});
+  const Maker making({});
   CHECK(programs_in(R"({"things": []})", true).value.empty());
   for (const char* text : {R"({"things": []})", R"({"things": [{"item": "4"}]})", "Fine."}) {
     const auto first = design::read_programs(text, making.request());
@@ -90,7 +90,7 @@ TEST_CASE("Only who looks again may leave everything as it is") {
 }
 
 TEST_CASE("A model is told what shall be made, and shown what it made with what is wrong with it") {
-  Making talk({reply_saying(R"({"things": [{"item": "3", "program": {"name": "a"}}]})"),
+  Maker talk({reply_saying(R"({"things": [{"item": "3", "program": {"name": "a"}}]})"),
                reply_saying(R"({"things": []})")});
   CHECK(talk.designer->makes());
   const auto first = talk.designer->make(talk.request());
@@ -122,10 +122,10 @@ TEST_CASE("A model is told what shall be made, and shown what it made with what 
 }
 
 TEST_CASE("Where no answer can be used the designer says so, and rules make things") {
-  Making talk({reply_saying("no"), reply_saying("no"), reply_saying("no")});
+  Maker talk({reply_saying("no"), reply_saying("no"), reply_saying("no")});
   const auto none = talk.designer->make(talk.request());
   REQUIRE(none);
   CHECK(none->programs.empty());
   CHECK(none->consultation.fell_back);
-  CHECK(says(none->consultation.notes, "rules make them"));
+  CHECK(tells(none->consultation.notes, "rules make them"));
 }

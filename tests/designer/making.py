@@ -12,8 +12,8 @@ from pathlib import Path
 
 from chat_server import chat_server, pictures_of, text_of
 
-WISH = "a hall with a jukebox, a carousel horse, a floor lamp and a ticket booth"
-THINGS = {"jukebox": [80, 60, 150], "carousel horse": [120, 40, 160], "floor lamp": [40, 40, 160], "ticket booth": [100, 100, 210]}
+WISH = "a hall with a jukebox, a carousel horse, a floor lamp and a weighing machine"
+THINGS = {"jukebox": [80, 60, 150], "carousel horse": [120, 40, 160], "floor lamp": [40, 40, 160], "weighing machine": [50, 60, 150]}
 PLAN = {
     "concept": "A fair.",
     "room": {"type": "hall", "size_m": [6.0, 5.0], "height_m": 3.0, "materials": {"floor": "oak floor", "walls": [], "ceiling": "white"}},
@@ -22,7 +22,7 @@ PLAN = {
     "objects": [{"name": name, "description": name, "size_cm": size, "quantity": 1, "place": "floor"} for name, size in THINGS.items()],
     "excluded": [],
 }  # fmt: skip
-SPOTS = {"jukebox-0": [1.0, 4.5], "carousel horse-0": [3.0, 3.0], "floor lamp-0": [5.0, 1.0], "ticket booth-0": [5.0, 4.0]}
+SPOTS = {"jukebox-0": [1.0, 4.5], "carousel horse-0": [3.0, 3.0], "floor lamp-0": [5.0, 1.0], "weighing machine-0": [5.0, 4.0]}
 ASKED = []
 
 
@@ -43,8 +43,8 @@ BROKEN = {"format": "roomgen-shape", "version": 1, "components": [{"name": "post
 
 def written(names, again):
     sizes = list(THINGS.values())
-    bad = {"carousel horse": BROKEN, "floor lamp": BROKEN, "ticket booth": program(sizes[3], 20.0)}
-    mended = {"carousel horse": program(sizes[1]), "floor lamp": BROKEN, "ticket booth": program(sizes[3], 1.6)}
+    bad = {"carousel horse": BROKEN, "floor lamp": BROKEN, "weighing machine": program(sizes[3], 20.0)}
+    mended = {"carousel horse": program(sizes[1]), "floor lamp": BROKEN, "weighing machine": program(sizes[3], 1.6)}
     programs = mended if again else {"jukebox": program(sizes[0]), **bad}
     things = [{"item": names[name], "program": one} for name, one in programs.items()]
     return {"things": things + [{"item": "99", "program": BROKEN}]}
@@ -56,7 +56,8 @@ def play(question):
     ASKED.append((name, text, question["messages"][-1]))
     if name == "plan":
         return json.dumps(PLAN)
-    numbers = {thing: next((line.split(".")[0] for line in text.splitlines() if f". {thing}" in line), "") for thing in THINGS}
+    lines = [line for line in text.splitlines() if line[:1].isdigit()]
+    numbers = {thing: next((line.split(".")[0] for line in lines if thing in line), "") for thing in THINGS}
     if name == "choices":
         return json.dumps({"choices": [{"item": numbers[thing], "take": "make", "words": f"a striped {thing}", "size_cm": size,
                                         "paint": "", "why": ""} for thing, size in THINGS.items()]})  # fmt: skip
@@ -85,7 +86,7 @@ def main():
     scene, said = furnish(roomgen, out / "room", "--base-url", url, "--record", record)
     names = [name for name, _, _ in ASKED]
     assert names[:4] == ["plan", "choices", "things", "things"] and "things" not in names[4:], names
-    assert "NOTHING BELOW IS KNOWN TO BE ONE" in ASKED[1][1]
+    assert "NOTHING IN STOCK IS ONE" in ASKED[1][1]
     again, shown = ASKED[3][1], pictures_of(ASKED[3][2])
     assert len(shown) == 1, f"{len(shown)} pictures of what was made"
     assert "/components/0/box" in again, "an error without its place is told"

@@ -57,7 +57,7 @@ struct AssetOffer {
   std::string words;               ///< what was searched for
   Vec3 size = Vec3::Ones();        ///< asked for, or usual
   bool carries = false;            ///< the plan puts things onto it
-  bool is_shown = true;            ///< an asset is known to be what the wish named, if it did
+  bool is_shown = true;            ///< something in stock is known to be what is asked for
   std::vector<OfferedAsset> assets;  ///< best first; of those searched again the first of before is the last
   std::optional<AssetInfo> made;  ///< what the words would be made into; nothing: nobody knows how
 
