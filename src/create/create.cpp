@@ -92,6 +92,9 @@ Status finish(shape::Program program, const CreateOptions& options, CreatedObjec
     if (!soundness) return soundness.error();
     object.soundness = *std::move(soundness);
   }
+  if (keeps_sound && !object.soundness.sound())
+    for (const auto& problem : object.soundness.problems)
+      object.notes.push_back("as written: " + problem);
   if (is_last_word || (keeps_sound && object.soundness.sound())) {
     object.program = std::move(program);
   } else {

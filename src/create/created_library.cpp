@@ -137,9 +137,7 @@ Result<Model> build_program(const AssetRef& ref) {
   if (!program) return program.error();
   const auto shape = shape::evaluate_within(*program);
   if (!shape) return shape.error();
-  Model model = to_model(*shape);
-  model.making = {all_parts(*program), {}};
-  return model;
+  return to_model(*shape);
 }
 
 Result<Model> made(const AssetRef& ref) {

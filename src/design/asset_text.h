@@ -17,7 +17,7 @@ std::string offer_text(const Plan& plan, const AssetOffer& offer, bool by_rules)
 std::string offer_head(const Plan& plan, const AssetOffer& offer);
 /// What of it goes on a sheet.
 std::string offer_title(const Plan& plan, const AssetOffer& offer);
-/// "study, 4.0 x 3.6 m"
+/// "study, 4 x 3.6 m"
 std::string room_line(const Room& room);
 
 }  // namespace roomgen::design

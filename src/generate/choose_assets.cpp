@@ -66,7 +66,7 @@ class Chooser {
     const auto made = make_things(place_, offers);
     ChoiceRound told;
     for (std::size_t i = 0; i < made.size(); ++i) {
-      for (const auto& note : made[i].notes) tell(told, offers[i], note);
+      if (!made[i].fault.empty()) tell(told, offers[i], made[i].fault);
       if (made[i].asset) {
         give(offers[i], plain(ordered_[i].choice), *made[i].asset, told);
       } else {

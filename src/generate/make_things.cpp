@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t most_made = 12;  // in one answer
 constexpr std::size_t rows_of_page = 4;
+constexpr std::size_t longest_line = 110;  // bytes
 constexpr double row_pixels = 420.0;
 
 // By the words themselves, whatever the item is called.
@@ -35,7 +36,7 @@ class Workshop {
     for (const auto& offer : offers)
       if (request_.things.size() < most_made) request_.things.push_back({offer, {}, {}});
     for (std::size_t i = most_made; i < offers.size(); ++i)
-      made_[i].notes = {"no more than " + std::to_string(most_made) + " things are made at once"};
+      made_[i].fault = "no more than " + std::to_string(most_made) + " things are made at once";
     request_.cancel = place.options.cancel;
   }
 
@@ -62,7 +63,7 @@ class Workshop {
       if (program != answer->programs.end())
         take(i, program->second);
       else if (!request_.again)
-        made_[i].notes = {"no program was written for it"};
+        tell_fault(made_[i], "no program was written for it");
     }
     tell(std::move(answer->consultation));
     return true;
@@ -71,19 +72,25 @@ class Workshop {
   // What was usable before stays until there is something better.
   void take(std::size_t i, const std::string& program) {
     MadeThing made;
-    if (auto asset = asset_of(request_.things[i].offer, program, made.notes)) {
+    auto asset = asset_of(request_.things[i].offer, program, made);
+    if (asset) {
       made.asset = *std::move(asset);
       made_[i] = std::move(made);
     } else {
       const std::string why = "the program cannot be used: " + asset.error().message;
-      made_[i].notes = {why + (made_[i].asset ? "; the one before stays" : "")};
+      tell_fault(made_[i], why + (made_[i].asset ? "; the one before stays" : ""));
     }
     request_.things[i].program = program;
   }
 
+  static void tell_fault(MadeThing& made, const std::string& fault) {
+    made.fault = fault;
+    made.notes = {fault};
+  }
+
   // The program is the asset.
   Result<AssetInfo> asset_of(const AssetOffer& offer, const std::string& program,
-                             std::vector<std::string>& notes) const {
+                             MadeThing& made) const {
     const PlanItem& item = place_.plan.items[offer.items.front()];
     create::Description description;
     description.noun = item.category;
@@ -95,8 +102,10 @@ class Workshop {
     if (!json) return json.error();
     auto object = create::create_written(*json, description, item.mount, options);
     if (!object) return object.error();
+    if (object->soundness.sound()) object->soundness.problems.clear();  // only of words
+    made.fault = join(object->soundness.problems, ", ");
     for (const auto* told : {&object->notes, &object->repairs, &object->soundness.problems})
-      notes.insert(notes.end(), told->begin(), told->end());
+      made.notes.insert(made.notes.end(), told->begin(), told->end());
     AssetRef ref;
     ref.procedural = {"program", json_line(shape::write_program(object->program)), 0};
     auto asset = place_.library.find(asset_key(ref));
@@ -126,7 +135,8 @@ class Workshop {
       object.asset = made_[i].asset->ref;
       object.size = made_[i].asset->size;
       const std::string size = size_text(object.size);
-      rows.push_back({design::offer_title(place_.plan, offer), {{object, offer.id, size}}});
+      rows.push_back({shortened(design::offer_title(place_.plan, offer), longest_line),
+                      {{object, offer.id, size}}});
       object.yaw = pi;
       rows.back().things.push_back({object, offer.id + " from behind", size});
     }

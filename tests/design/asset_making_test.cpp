@@ -20,6 +20,7 @@ struct Maker {
       : script(make_script(std::move(answers))), model(script) {
     plan.prompt = "a diner";
     plan.room = rooms::box(6, 4);
+    plan.room.type = "diner";
     for (const char* category : {"jukebox", "bar counter", "bar stool"}) {
       plan.items.emplace_back();
       plan.items.back().category = category;
@@ -105,7 +106,7 @@ TEST_CASE("A model is told what shall be made, and shown what it made with what 
   REQUIRE(shapes);
   CHECK(contains_text(question.messages.front().text, *shapes));
   for (const char* text : {"3. jukebox: a rounded jukebox, 1 x 0.6 x 1.5 m",
-                           "8. bar counter: a mint bar", "goes with: bar stool", "6.0 x 4.0 m"})
+                           "8. bar counter: a mint bar", "goes with: bar stool", "diner, 6 x 4 m"})
     CHECK(contains_text(question.messages.back().text, text));
 
   auto request = talk.request(true);

@@ -217,7 +217,7 @@ TEST_CASE("What a designer makes stands in its size and its own colours, and is 
     const std::string broken = R"({"components": [{"name": "a", "box": {"size": [1, 2]}}]})";
     if (request.again) answer.programs = {{0, stand(1.7)}, {1, broken}, {2, broken}};
     if (!request.again)
-      answer.programs = {{0, broken}, {1, stand(1.0)}, {2, stand(40.0)}, {3, stand(1.0)}};
+      answer.programs = {{0, broken}, {1, stand(1.0)}, {2, stand(30.0)}, {3, stand(1.0)}};
     return answer;
   };
   const Plan plan = plan_of({item("carousel horse", "a white carousel horse"), item("desk", "desk"),
