@@ -92,7 +92,7 @@ def main():
 
     assert len(scene["objects"]) == len(THINGS)
     for name, size in THINGS.items():
-        thing = next(one for one in scene["objects"] if one["description"] == f"a striped {name}")
+        thing = next(one for one in scene["objects"] if one["description"].startswith(f"a striped {name}"))
         source = thing["asset"]["procedural"]
         assert source["recipe"] == ("words" if name == "floor lamp" else "program"), (name, source["recipe"])
         if source["recipe"] == "words":
