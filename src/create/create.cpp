@@ -263,9 +263,9 @@ Result<CreatedObject> refine(const shape::Program& earlier, const std::string& w
   return object;
 }
 
-Result<CreatedObject> create_written(const Json& program, const Description& description,
+Result<CreatedObject> create_written(const std::string& program, const Description& description,
                                      Mount mount, const CreateOptions& options) {
-  auto reading = read_written_program(program, description, options.seed);
+  auto reading = read_program_reply(program, description, options.seed);
   if (!reading) return reading.error();
   CreatedObject object;
   object.description = description;

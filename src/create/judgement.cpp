@@ -180,15 +180,12 @@ Judgement judge(const Assembly& assembly, const std::vector<Link>& links,
 
 namespace {
 
-// What is not of the piece of most parts: "rosette-0, rosette-1".
+// What does not hang together with the first: "rosette-0, rosette-1".
 std::string loose_parts(const Assembly& assembly, const Judgement& judgement) {
   constexpr std::size_t most_named = 8;
-  std::vector<int> sizes(static_cast<std::size_t>(judgement.pieces), 0);
-  for (const int piece : judgement.piece) ++sizes[static_cast<std::size_t>(piece)];
-  const auto main = std::max_element(sizes.begin(), sizes.end()) - sizes.begin();
   std::vector<std::string> names;
   for (std::size_t k = 0; k < judgement.piece.size() && names.size() < most_named; ++k)
-    if (judgement.piece[k] != main) names.push_back(assembly.parts()[k].name);
+    if (judgement.piece[k] != judgement.piece[0]) names.push_back(assembly.parts()[k].name);
   return join(names, ", ");
 }
 

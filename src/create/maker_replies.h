@@ -17,9 +17,6 @@ Result<Reading<std::vector<Description>>> read_decompose_reply(
 /// is one; the complaint says where the program is not what was described.
 Result<Reading<shape::Program>> read_program_reply(const std::string& text,
                                                    const Description& wanted, std::uint64_t seed);
-/// The same of a program that was found already.
-Result<Reading<shape::Program>> read_written_program(Json program, const Description& wanted,
-                                                     std::uint64_t seed);
 
 inline constexpr std::size_t max_reply_triangles = 20'000;
 

@@ -109,17 +109,9 @@ Result<Reading<shape::Program>> read_program_reply(const std::string& text,
                                                    const Description& wanted, std::uint64_t seed) {
   auto loose = find_json(text, {{"components"}, {"format", "parts"}});
   if (!loose) return loose.error();
-  auto reading = read_written_program(std::move(loose->json), wanted, seed);
-  if (reading)
-    reading->repairs.insert(reading->repairs.begin(), loose->repairs.begin(), loose->repairs.end());
-  return reading;
-}
-
-Result<Reading<shape::Program>> read_written_program(Json written, const Description& wanted,
-                                                     std::uint64_t seed) {
-  Reading<shape::Program> reading;
-  repair_program(written, reading.repairs);
-  auto program = shape::instantiate(written, {}, seed, nullptr, "the program");
+  Reading<shape::Program> reading{{}, std::move(loose->repairs)};
+  repair_program(loose->json, reading.repairs);
+  auto program = shape::instantiate(loose->json, {}, seed, nullptr, "the program");
   if (!program) return program.error();
   const auto shape = shape::evaluate(*program, {.tolerance = trial_tolerance, .paint = false});
   if (!shape) return with_context(shape.error(), "the program");

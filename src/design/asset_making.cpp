@@ -14,45 +14,23 @@ namespace {
 using Programs = std::map<std::size_t, std::string>;
 
 constexpr std::size_t most_unusable = 20, most_notes = 8, longest_note = 300;
-const std::vector<std::string> thing_list_keys = {"things", "objects", "items", "programs"};
 
-/// Reads the programs of one answer.
-class ProgramsReader {
- public:
-  ProgramsReader(const MakingRequest& request, Reading<Programs>& read)
-      : request_(request), read_(read) {}
-
-  // A list whose members say what they are of, or an object by items.
-  void read(const Json& list) {
-    for (const auto& [key, value] : list.items())
-      read_one(value, list.is_object() ? key : "", "/things/" + key);
-  }
-
- private:
-  void problem(const std::string& place, const std::string& what) {
-    if (read_.repairs.size() < most_unusable) read_.repairs.push_back(place + ": " + what);
-  }
-
-  void read_one(const Json& given, std::string item, const std::string& place) {
-    if (!given.is_object()) return problem(place, "is no object with \"item\" and \"program\"");
-    if (const Json* said = member(given, {"item", "id", "number"}); said && item.empty())
-      item = said->is_number_integer() ? std::to_string(said->get<long long>()) : text_in(said);
-    const auto& things = request_.things;
-    const auto thing = std::find_if(things.begin(), things.end(),
-                                    [&](const auto& one) { return one.offer.id == item; });
-    if (thing == things.end())
-      return problem(place + "/item", "\"" + shortened(item, 40) + "\" was not to be made");
-    const Json* program = member(given, {"program", "shape"});
-    if (!program && member(given, {"components"})) program = &given;
-    if (!program || !program->is_object()) return problem(place + "/program", "is no program");
-    if (!read_.value.emplace(static_cast<std::size_t>(thing - things.begin()), json_line(*program))
-             .second)
-      problem(place, "item " + item + " was written before; the first counts");
-  }
-
-  const MakingRequest& request_;
-  Reading<Programs>& read_;
-};
+// Into the programs; else what is wrong with it. `item`: where the list is an object, its key.
+std::string read_one(const Json& given, std::string item, const MakingRequest& request,
+                     Programs& programs) {
+  if (!given.is_object()) return ": is no object with \"item\" and \"program\"";
+  if (const Json* said = member(given, {"item", "id", "number"}))
+    item = said->is_number_integer() ? std::to_string(said->get<long long>()) : text_in(said);
+  const Json* program = member(given, {"program", "shape"});
+  if (!program && member(given, {"components"})) program = &given;
+  std::size_t i = 0;
+  while (i < request.things.size() && request.things[i].offer.id != item) ++i;
+  if (i == request.things.size())
+    return "/item: \"" + shortened(item, 40) + "\" was not to be made";
+  if (!program || !program->is_object()) return "/program: is no program";
+  if (programs.emplace(i, json_line(*program)).second) return "";
+  return ": item " + item + " was written before; the first counts";
+}
 
 // The list, with what solids and parts look like at the place where references look for it.
 Json answer_schema(Json program) {
@@ -67,24 +45,20 @@ Json answer_schema(Json program) {
 }
 
 // What else of the plan belongs to it.
-std::string company(const Plan& plan, const AssetOffer& offer) {
-  const PlanItem& item = plan.items[offer.items.front()];
-  std::vector<std::string> others;
+std::string company(const Plan& plan, const PlanItem& item) {
+  std::string others;
   for (const auto& other : plan.items) {
-    if (&other == &item || !other.left_out.empty()) continue;
-    const bool is_near = std::any_of(
-        other.relations.begin(), other.relations.end(),
-        [&](const Relation& relation) { return relation.target.starts_with(item.category); });
-    if (other.on == item.category || is_near || (!item.group.empty() && other.group == item.group))
-      others.push_back(
-          other.category +
-          (other.size ? " (" + size_text(*other.size) + " m)" : std::string()));
+    const bool is_near =
+        other.on == item.category || (!item.group.empty() && other.group == item.group);
+    if (&other == &item || !is_near || !other.left_out.empty()) continue;
+    others += (others.empty() ? "; goes with: " : ", ") + other.category;
+    if (other.size) others += " (" + size_text(*other.size) + " m)";
   }
-  return others.empty() ? "" : "; goes with: " + join(others, ", ");
+  return others;
 }
 
 std::string thing_text(const Plan& plan, const ThingToMake& thing) {
-  std::string text = offer_head(plan, thing.offer) + company(plan, thing.offer);
+  std::string text = offer_head(plan, thing.offer) + company(plan, plan.items[thing.offer.items.front()]);
   if (!thing.program.empty()) text += "\n   Written: " + thing.program;
   for (std::size_t i = 0; i < std::min(thing.notes.size(), most_notes); ++i)
     text += "\n   - " + shortened(thing.notes[i], longest_note);
@@ -115,13 +89,19 @@ Question question_of(const MakingRequest& request, const std::string& shapes, bo
 }  // namespace
 
 Result<Reading<Programs>> read_programs(std::string_view text, const MakingRequest& request) {
-  auto found = find_json(text, {{"things"}, thing_list_keys});
+  auto found = find_json(text, {{"things"}, {"objects", "items", "programs"}});
   if (!found) return found.error();
   Reading<Programs> result{{}, std::move(found->repairs)};
-  const Json* list = member(found->json, thing_list_keys);
-  if (list && list->is_structured()) ProgramsReader(request, result).read(*list);
-  const bool is_content = request.again && list && list->is_structured();
-  if (result.value.empty() && !is_content)
+  const Json* list = member(found->json, {"things", "objects", "items", "programs"});
+  const bool is_list = list && list->is_structured();
+  static const Json nothing = Json::object();
+  for (const auto& [key, value] : (is_list ? *list : nothing).items()) {
+    const std::string problem =
+        read_one(value, list->is_object() ? key : "", request, result.value);
+    if (!problem.empty() && result.repairs.size() < most_unusable)
+      result.repairs.push_back("/things/" + key + problem);
+  }
+  if (result.value.empty() && !(request.again && is_list))
     return Error{Error::Kind::invalid_input,
                  "the answer makes nothing; give \"things\": [{\"item\": \"1\", \"program\": {…}}, "
                  "…]; " +

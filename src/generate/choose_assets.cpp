@@ -17,10 +17,6 @@ namespace {
 
 constexpr double same_size = 0.02;
 
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 void show(const Workplace& place, BuildEvent::Kind kind, const std::string& text) {
   if (!place.options.on_event) return;
   BuildEvent event{kind, 0, planned_objects(place.plan).size()};
@@ -53,42 +49,26 @@ class Chooser {
     return again;
   }
 
-  // What was ordered, all at once.
+  // What was ordered, all at once. It has its colours by itself.
   void make_all() {
-    if (ordered_.empty() || !place_.designer.makes()) return;
-    show(place_, BuildEvent::Kind::making, "making " + counted(ordered_.size(), "thing"));
-    std::vector<AssetOffer> offers;
-    for (const auto& order : ordered_) {
-      offers.push_back(order.offer);
-      const std::string& paint = order.choice.paint;
-      if (!paint.empty()) offers.back().words += "; colours and materials: " + paint;
-    }
-    const auto made = make_things(place_, offers);
+    if (offers_.empty()) return;
+    show(place_, BuildEvent::Kind::making, "making " + std::to_string(offers_.size()) + " things");
+    const auto made = make_things(place_, offers_);
     ChoiceRound told;
     for (std::size_t i = 0; i < made.size(); ++i) {
-      if (!made[i].fault.empty()) tell(told, offers[i], made[i].fault);
-      if (made[i].asset) {
-        give(offers[i], plain(ordered_[i].choice), *made[i].asset, told);
+      if (!made[i].fault.empty()) tell(told, offers_[i], made[i].fault);
+      if (!made[i].asset) {
+        tell(told, offers_[i], "rules make it");
+        make_by_rules(offers_[i], choices_[i], told);
       } else {
-        tell(told, offers[i], "rules make it");
-        make_by_rules(ordered_[i], told);
+        choices_[i].paint.clear();
+        give(offers_[i], choices_[i], *made[i].asset, told);
       }
     }
     for (const auto& note : told.notes) place_.plan.notes.push_back(note);
   }
 
  private:
-  struct Order {
-    AssetOffer offer;  ///< with the words and the size that were asked for
-    AssetChoice choice;
-  };
-
-  // It has its colours by itself.
-  static AssetChoice plain(AssetChoice choice) {
-    choice.paint.clear();
-    return choice;
-  }
-
   static void tell(ChoiceRound& round, const AssetOffer& offer, const std::string& what) {
     round.notes.push_back(offer.id + ". " + what);
   }
@@ -111,20 +91,22 @@ class Chooser {
   }
 
   std::string make(const AssetOffer& offer, const AssetChoice& choice, ChoiceRound& round) {
-    AssetOffer ordered = offer;
-    if (!choice.words.empty()) ordered.words = choice.words;
-    ordered.size = choice.size.value_or(offer.size);
-    ordered_.push_back({std::move(ordered), choice});
-    if (place_.designer.makes()) return {};
-    return make_by_rules(ordered_.back(), round);
+    AssetOffer wanted = offer;
+    if (!choice.words.empty()) wanted.words = choice.words;
+    wanted.size = choice.size.value_or(offer.size);
+    if (!place_.designer.makes()) return make_by_rules(wanted, choice, round);
+    if (!choice.paint.empty()) wanted.words += "; colours and materials: " + choice.paint;
+    offers_.push_back(std::move(wanted));
+    choices_.push_back(choice);
+    return {};
   }
 
-  std::string make_by_rules(const Order& order, ChoiceRound& round) {
-    const AssetOffer& offer = order.offer;
+  std::string make_by_rules(const AssetOffer& offer, const AssetChoice& choice,
+                            ChoiceRound& round) {
     const PlanItem& item = place_.plan.items[offer.items.front()];
     auto made = made_by_rules(place_, item, offer.words, offer.size);
     if (!made) tell(round, offer, made.error().message);
-    if (made && *made) return give(offer, order.choice, **made, round);
+    if (made && *made) return give(offer, choice, **made, round);
     tell(round, offer, "\"" + offer.words + "\" cannot be made; the library decides");
     return {};
   }
@@ -162,7 +144,8 @@ class Chooser {
   }
 
   Workplace& place_;
-  std::vector<Order> ordered_;
+  std::vector<AssetOffer> offers_;  ///< what is to be made, with the words and the size
+  std::vector<AssetChoice> choices_;
 };
 
 // Asks, and writes down what was said; false where that was the end.
@@ -173,7 +156,8 @@ bool ask(Workplace& place, ChoiceRound& round, bool again) {
   std::size_t things = 0;
   for (const auto& offer : round.offers) things += static_cast<std::size_t>(offer.count);
   show(place, BuildEvent::Kind::choosing,
-       "choosing: " + counted(things, "thing") + ", " + counted(round.offers.size(), "offer"));
+       "choosing: " + std::to_string(things) + " things, " + std::to_string(round.offers.size()) +
+           " offers");
   auto answer = place.designer.choose(request);
   if (!account(answer, place)) return false;
   round.answer = *std::move(answer);

@@ -1,5 +1,6 @@
 #include "make_things.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "consult.h"
@@ -14,7 +15,6 @@ namespace roomgen {
 
 namespace {
 
-constexpr std::size_t most_made = 12;  // in one answer
 constexpr std::size_t rows_of_page = 4;
 constexpr std::size_t longest_line = 110;  // bytes
 constexpr double row_pixels = 420.0;
@@ -33,23 +33,17 @@ class Workshop {
  public:
   Workshop(Workplace& place, const std::vector<AssetOffer>& offers)
       : place_(place), request_{place.plan, {}, create::program_schema()}, made_(offers.size()) {
-    for (const auto& offer : offers)
-      if (request_.things.size() < most_made) request_.things.push_back({offer, {}, {}});
-    for (std::size_t i = most_made; i < offers.size(); ++i)
-      made_[i].fault = "no more than " + std::to_string(most_made) + " things are made at once";
+    for (const auto& offer : offers) request_.things.push_back({offer, "", {}});
     request_.cancel = place.options.cancel;
   }
 
   std::vector<MadeThing> run() {
     if (!ask()) return std::move(made_);
     request_.again = true;
-    bool is_to_mend = place_.options.renderer != nullptr;
-    for (std::size_t i = 0; i < request_.things.size(); ++i) {
-      request_.things[i].notes = made_[i].notes;
-      is_to_mend = is_to_mend || !made_[i].notes.empty();
-    }
     if (place_.options.renderer) request_.sheets = [&] { return sheets(); };
-    if (is_to_mend) ask();
+    const auto is_noted = [](const ThingToMake& thing) { return !thing.notes.empty(); };
+    if (request_.sheets || std::any_of(request_.things.begin(), request_.things.end(), is_noted))
+      ask();
     return std::move(made_);
   }
 
@@ -58,39 +52,36 @@ class Workshop {
   bool ask() {
     auto answer = place_.designer.make(request_);
     if (!account(answer, place_)) return false;
-    for (std::size_t i = 0; i < request_.things.size(); ++i) {
+    ChoiceRound round;
+    for (std::size_t i = 0; i < made_.size(); ++i) {
       const auto program = answer->programs.find(i);
       if (program != answer->programs.end())
-        take(i, program->second);
+        take(program->second, request_.things[i], made_[i]);
       else if (!request_.again)
-        tell_fault(made_[i], "no program was written for it");
+        request_.things[i].notes = {made_[i].fault = "no program was written for it"};
+      round.taken.push_back(made_[i].asset ? asset_key(made_[i].asset->ref) : "");
     }
-    tell(std::move(answer->consultation));
+    round.making = request_.things;
+    round.answer.consultation = std::move(answer->consultation);
+    place_.choices.push_back(std::move(round));
     return true;
   }
 
   // What was usable before stays until there is something better.
-  void take(std::size_t i, const std::string& program) {
-    MadeThing made;
-    auto asset = asset_of(request_.things[i].offer, program, made);
-    if (asset) {
+  void take(const std::string& program, ThingToMake& thing, MadeThing& made) const {
+    thing.program = program;
+    thing.notes.clear();
+    auto asset = asset_of(thing, made.fault);
+    if (asset)
       made.asset = *std::move(asset);
-      made_[i] = std::move(made);
-    } else {
-      const std::string why = "the program cannot be used: " + asset.error().message;
-      tell_fault(made_[i], why + (made_[i].asset ? "; the one before stays" : ""));
-    }
-    request_.things[i].program = program;
-  }
-
-  static void tell_fault(MadeThing& made, const std::string& fault) {
-    made.fault = fault;
-    made.notes = {fault};
+    else
+      thing.notes = {made.fault = "the program cannot be used: " + asset.error().message +
+                                  (made.asset ? "; the one before stays" : "")};
   }
 
   // The program is the asset.
-  Result<AssetInfo> asset_of(const AssetOffer& offer, const std::string& program,
-                             MadeThing& made) const {
+  Result<AssetInfo> asset_of(ThingToMake& thing, std::string& fault) const {
+    const AssetOffer& offer = thing.offer;
     const PlanItem& item = place_.plan.items[offer.items.front()];
     create::Description description;
     description.noun = item.category;
@@ -98,32 +89,17 @@ class Workshop {
     description.size = offer.size;
     create::CreateOptions options;
     options.seed = place_.options.seed;
-    const auto json = parse_json(program, "the program");
-    if (!json) return json.error();
-    auto object = create::create_written(*json, description, item.mount, options);
+    auto object = create::create_written(thing.program, description, item.mount, options);
     if (!object) return object.error();
     if (object->soundness.sound()) object->soundness.problems.clear();  // only of words
-    made.fault = join(object->soundness.problems, ", ");
+    fault = join(object->soundness.problems, ", ");
     for (const auto* told : {&object->notes, &object->repairs, &object->soundness.problems})
-      made.notes.insert(made.notes.end(), told->begin(), told->end());
+      thing.notes.insert(thing.notes.end(), told->begin(), told->end());
     AssetRef ref;
     ref.procedural = {"program", json_line(shape::write_program(object->program)), 0};
     auto asset = place_.library.find(asset_key(ref));
     if (asset) asset->mount = item.mount;
     return asset;
-  }
-
-  // A line of the trace.
-  void tell(Consultation consultation) {
-    ChoiceRound round;
-    round.making = request_.things;
-    round.answer.consultation = std::move(consultation);
-    for (std::size_t i = 0; i < request_.things.size(); ++i) {
-      round.taken.push_back(made_[i].asset ? asset_key(made_[i].asset->ref) : "");
-      for (const auto& note : made_[i].notes)
-        round.notes.push_back(request_.things[i].offer.id + ". " + note);
-    }
-    place_.choices.push_back(std::move(round));
   }
 
   Result<std::vector<Image>> sheets() const {

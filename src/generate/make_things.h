@@ -17,7 +17,6 @@ Result<std::optional<AssetInfo>> made_by_rules(const Workplace& place, const Pla
 struct MadeThing {
   std::optional<AssetInfo> asset;  ///< whose key alone builds it again; nothing: it cannot be used
   std::string fault;               ///< why there is none, or what is wrong with it still
-  std::vector<std::string> notes;  ///< all that its maker is to know
 };
 
 /// Lets the designer make what these offers say, all at once, and mend what it then sees; one

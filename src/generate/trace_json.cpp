@@ -89,7 +89,7 @@ Json making_json(const ChoiceRound& round) {
                       {"items", thing.offer.items},
                       {"words", thing.offer.words},
                       {"size", point_json(thing.offer.size)},
-                      {"told", thing.notes}});
+                      {"notes", thing.notes}});
     if (const auto program = parse_json(thing.program, "")) things.back()["program"] = *program;
     if (!round.taken[i].empty()) things.back()["taken"] = round.taken[i];
   }

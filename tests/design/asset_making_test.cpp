@@ -25,7 +25,7 @@ struct Maker {
       plan.items.emplace_back();
       plan.items.back().category = category;
     }
-    plan.items[2].relations = {{RelationKind::near, "bar counter-0"}};
+    plan.items[1].group = plan.items[2].group = "bar";
     ModelDesignerOptions options;
     options.encode_picture = [](const Image&) { return Result<std::string>("PNG"); };
     designer = make_model_designer(model, make_rule_designer(), Prompts::built_in(),
