@@ -92,9 +92,11 @@ Status finish(shape::Program program, const CreateOptions& options, CreatedObjec
     if (!soundness) return soundness.error();
     object.soundness = *std::move(soundness);
   }
+  // The last ones are of the whole, the first guess by labels.
+  const auto& problems = object.soundness.problems;
   if (keeps_sound && !object.soundness.sound())
-    for (const auto& problem : object.soundness.problems)
-      object.notes.push_back("as written: " + problem);
+    for (auto problem = problems.rbegin(); problem != problems.rend(); ++problem)
+      object.notes.push_back("as written: " + *problem);
   if (is_last_word || (keeps_sound && object.soundness.sound())) {
     object.program = std::move(program);
   } else {
