@@ -216,8 +216,8 @@ void add_designer_options(CLI::App& command, DesignerOptions& options) {
       ->check(CLI::IsMember({"off", "on"}))
       ->capture_default_str();
   add_text(command, "--make", options.make,
-           "Who makes what the model wants to be made: recipes, or the model itself")
-      ->check(CLI::IsMember({"rules", "model"}))
+           "Who makes what the model wants to be made: the model itself, or rules")
+      ->check(CLI::IsMember({"model", "rules"}))
       ->capture_default_str();
   command
       .add_option("--plan-tokens", options.plan_tokens,
@@ -324,6 +324,7 @@ Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const 
   model_options.plan_tokens = options.plan_tokens;
   model_options.place_tokens = options.place_tokens;
   model_options.chooses_assets = options.choose == "on";
+  model_options.makes_assets = options.make == "model";
   model_options.chooses_order = options.order == "model";
   model_options.encode_picture = [options, shown = composed.shown](const Image& image) {
     return encode_shown(options, image, *shown);
@@ -332,13 +333,6 @@ Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const 
     model_options.log = [](LogLevel, std::string_view message) { warn(message); };
   if (const LimitedModel* limited = composed.limited)
     model_options.budget_is_spent = [limited] { return limited->refused(); };
-  if (options.make == "model") {
-    create::ModelMakerOptions maker;
-    maker.budget_is_spent = model_options.budget_is_spent;
-    maker.cancel = context.cancel;
-    composed.maker = create::make_model_maker(*composed.model, create::make_rule_maker(),
-                                              model->prompts, std::move(maker));
-  }
   composed.designer =
       make_model_designer(*composed.model, options.no_fallback ? make_no_fallback() : make_rule_designer(), std::move(model->prompts),
                           KindTable::built_in(), std::move(model_options));

@@ -8,7 +8,6 @@
 
 #include "command.h"
 #include "roomgen/chat/chat_model.h"
-#include "roomgen/create/maker.h"
 #include "roomgen/design/designer.h"
 #include "roomgen/generate/generate.h"
 
@@ -20,7 +19,7 @@ struct DesignerOptions {
   std::string reader;  ///< who reads the wish: rules or model; empty: who designs
   std::string model, base_url, protocol, key_file, prompts, prices;
   std::string mode = "fused", frame = "plan", fusion = "scaled", order = "plan", steps = "groups";
-  std::string choose = "on", make = "rules";
+  std::string choose = "on", make = "model";
   std::string record, replay, picture = "jpeg", preset;
   bool cache_answers = false, no_fallback = false;
   std::optional<int> max_calls;
@@ -61,7 +60,6 @@ struct ComposedDesigner {
   std::unique_ptr<ChatModel> model;       ///< null for rules
   const LimitedModel* limited = nullptr;  ///< part of `model`, unless answers are replayed
   std::unique_ptr<Designer> designer;
-  std::unique_ptr<create::Maker> maker;  ///< the model as a maker; null: rules make things
   std::unique_ptr<Reader> reader;  ///< null where rules read
   /// The pictures that the model was shown, PNG or JPEG, in order.
   std::shared_ptr<std::vector<std::string>> shown = std::make_shared<std::vector<std::string>>();

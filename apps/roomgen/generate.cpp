@@ -73,6 +73,9 @@ std::string label(const BuildEvent& event) {
       return event.object + " left out";
     case BuildEvent::Kind::improving:
       return "improving";
+    case BuildEvent::Kind::choosing:
+    case BuildEvent::Kind::making:
+      return event.text;
     default:
       return event.object;
   }
@@ -243,7 +246,6 @@ Result<int> run(const Context& context, const GenerateCommand& command) {
   auto renderer = renderer_for(command, *composed);
   if (!renderer) return renderer.error();
   options.renderer = renderer->get();
-  options.maker = composed->maker.get();
   options.marks_view.pixels = command.pixels;
   options.marks_view.paper_frame = command.designer.paper_frame();
   options.on_event = [&](const BuildEvent& event) { bar.show(event.done, event.total, label(event)); };

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "kinds.h"
+#include "maker_replies.h"
 #include "relative_size.h"
 #include "roomgen/base/json.h"
 #include "validate.h"
@@ -19,6 +20,8 @@ constexpr double most_growth = 1.4;  // of the longest side, by repairs
 constexpr double aim_tolerance = 0.004;
 constexpr int size_rounds = 3;
 constexpr double most_excess = 1.3;
+// Beyond the factor that fits all, what was written at another size is stretched at most by this.
+constexpr double most_stretch = 1.25, unseen_factor = 0.004;
 
 const ShapeKind* kind_of(const Description& description) {
   const auto& kinds = ShapeKinds::built_in();
@@ -68,6 +71,72 @@ std::vector<shape::Program> nearest_examples(const Description& description) {
   return programs;
 }
 
+bool grown(const shape::Program& before, const shape::Program& after) {
+  const shape::EvaluateOptions& measuring = shape::for_measuring;
+  const auto old_shape = shape::evaluate(before, measuring),
+             new_shape = shape::evaluate(after, measuring);
+  if (!old_shape || !new_shape || old_shape->bodies.empty()) return false;
+  const Vec3 old_size = bounds(*old_shape).size(), new_size = bounds(*new_shape).size();
+  return new_size.maxCoeff() > most_growth * old_size.maxCoeff();
+}
+
+// Validates and evaluates. `keeps_sound`: what stands as one piece stays as it is, whatever its
+// labels ask for: the legs of a galloping horse.
+Status finish(shape::Program program, const CreateOptions& options, CreatedObject& object,
+              bool keeps_sound = false) {
+  ValidateOptions validation;
+  validation.footing = footing_of(object.mount);
+  const bool is_last_word = options.variant == Variant::no_validation;
+  if (is_last_word || keeps_sound) {
+    auto soundness = inspect(program, validation);
+    if (!soundness) return soundness.error();
+    object.soundness = *std::move(soundness);
+  }
+  // The last ones are of the whole, the first guess by labels.
+  const auto& problems = object.soundness.problems;
+  if (keeps_sound && !object.soundness.sound())
+    for (auto problem = problems.rbegin(); problem != problems.rend(); ++problem)
+      object.notes.push_back("as written: " + *problem);
+  if (is_last_word || (keeps_sound && object.soundness.sound())) {
+    object.program = std::move(program);
+  } else {
+    auto validated = validate(program, validation);
+    if (!validated) return validated.error();
+    // A repair that makes another thing of it is none.
+    if (!validated->repairs.empty() && grown(program, validated->program)) {
+      object.notes.push_back("what is loose could not be joined without making it much larger");
+      validated->program = std::move(program);
+      validated->repairs.clear();
+      validated->after = validated->before;
+    }
+    object.program = std::move(validated->program);
+    object.repairs = std::move(validated->repairs);
+    object.soundness = std::move(validated->after);
+  }
+  auto shape = shape::evaluate_within(object.program, options.triangles);
+  if (!shape) return shape.error();
+  if (shape->bodies.empty())
+    return Error{Error::Kind::invalid_input, "the program makes nothing at all"};
+  object.shape = *std::move(shape);
+  return {};
+}
+
+Vec3 factors_to(const Vec3& wanted, const Vec3& size) {
+  const Vec3 factors = wanted.cwiseQuotient(size.cwiseMax(1e-4));
+  return factors.cwiseMin(most_stretch * factors.minCoeff());
+}
+
+// As one group. What its connections named is joined by now.
+shape::Program scaled(shape::Program program, const Vec3& factors) {
+  shape::Component whole;
+  whole.name = "whole";
+  whole.solid = shape::Group{std::move(program.components)};
+  whole.scale = factors;
+  program.components = {std::move(whole)};
+  program.connections.clear();
+  return program;
+}
+
 class Creator {
  public:
   Creator(Maker& maker, const CreateOptions& options) : maker_(maker), options_(options) {}
@@ -91,7 +160,7 @@ class Creator {
       object.fell_back = maker_.fell_back();
       object.notes = maker_.take_notes();
       object.repairs.clear();
-      if (auto status = finish(*std::move(program), object); !status) return status.error();
+      if (auto status = finish(*std::move(program), options_, object); !status) return status.error();
       if (!maker_.is_cheap()) break;
       const Vec3 size = bounds(object.shape).size();
       // What another aim did not change will not change.
@@ -104,47 +173,7 @@ class Creator {
     return object;
   }
 
-  // Validates and evaluates.
-  Status finish(shape::Program program, CreatedObject& object) {
-    ValidateOptions validation;
-    validation.footing = footing_of(object.mount);
-    if (options_.variant == Variant::no_validation) {
-      object.program = std::move(program);
-      auto soundness = inspect(object.program, validation);
-      if (!soundness) return soundness.error();
-      object.soundness = *std::move(soundness);
-    } else {
-      auto validated = validate(program, validation);
-      if (!validated) return validated.error();
-      // A repair that makes another thing of it is none.
-      if (!validated->repairs.empty() && grown(program, validated->program)) {
-        object.notes.push_back("what is loose could not be joined without making it much larger");
-        validated->program = std::move(program);
-        validated->repairs.clear();
-        validated->after = validated->before;
-      }
-      object.program = std::move(validated->program);
-      object.repairs = std::move(validated->repairs);
-      object.soundness = std::move(validated->after);
-    }
-    auto shape = shape::evaluate_within(object.program, options_.triangles);
-    if (!shape) return shape.error();
-    if (shape->bodies.empty())
-      return Error{Error::Kind::invalid_input, "the program makes nothing at all"};
-    object.shape = *std::move(shape);
-    return {};
-  }
-
  private:
-  static bool grown(const shape::Program& before, const shape::Program& after) {
-    const shape::EvaluateOptions& measuring = shape::for_measuring;
-    const auto old_shape = shape::evaluate(before, measuring),
-               new_shape = shape::evaluate(after, measuring);
-    if (!old_shape || !new_shape || old_shape->bodies.empty()) return false;
-    const Vec3 old_size = bounds(*old_shape).size(), new_size = bounds(*new_shape).size();
-    return new_size.maxCoeff() > most_growth * old_size.maxCoeff();
-  }
-
   // Triangles as they come: there is no program to validate or to keep.
   Result<CreatedObject> directly(MakeRequest request, const Description& description) {
     CreatedObject object;
@@ -232,8 +261,30 @@ Result<CreatedObject> refine(const shape::Program& earlier, const std::string& w
     if (const ShapeKind* kind = kinds->find(earlier.name)) object.mount = kind->mount;
   object.fell_back = maker.fell_back();
   object.notes = maker.take_notes();
-  Creator creator(maker, options);
-  if (auto status = creator.finish(*std::move(program), object); !status) return status.error();
+  if (auto status = finish(*std::move(program), options, object); !status) return status.error();
+  return object;
+}
+
+Result<CreatedObject> create_written(const std::string& program, const Description& description,
+                                     Mount mount, const CreateOptions& options) {
+  auto reading = read_program_reply(program, description, options.seed);
+  if (!reading) return reading.error();
+  CreatedObject object;
+  object.description = description;
+  object.mount = mount;
+  object.notes = std::move(reading->repairs);
+  if (!reading->complaint.empty()) object.notes.push_back(std::move(reading->complaint));
+  if (auto status = finish(std::move(reading->value), options, object, true); !status)
+    return status.error();
+  object.program.name = description.noun;
+  object.program.about = description.prompt;
+  if (!description.size) return object;
+  const Vec3 factors = factors_to(*description.size, bounds(object.shape).size());
+  if (factors.isApprox(Vec3::Ones(), unseen_factor)) return object;
+  object.program = scaled(std::move(object.program), factors);
+  auto shape = shape::evaluate_within(object.program, options.triangles);
+  if (!shape) return shape.error();
+  object.shape = *std::move(shape);
   return object;
 }
 

@@ -214,9 +214,9 @@ class CreatedLibrary final : public AssetLibrary {
     info.name = text_parameter(*ref.procedural, "name");
     const auto phrase = Vocabulary::built_in().understand(info.name);
     info.category = phrase.known ? phrase.kind : info.name;
-    info.approximate = !phrase.known;
     info.group = "made from words";
     info.size = bounds(**model).size();
+    info.elevation = usual_elevation;
     describe_by_kind(info, info.category, true);
     return info;
   }

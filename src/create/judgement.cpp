@@ -178,6 +178,19 @@ Judgement judge(const Assembly& assembly, const std::vector<Link>& links,
   return result;
 }
 
+namespace {
+
+// What does not hang together with the first: "rosette-0, rosette-1".
+std::string loose_parts(const Assembly& assembly, const Judgement& judgement) {
+  constexpr std::size_t most_named = 8;
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < judgement.piece.size() && names.size() < most_named; ++k)
+    if (judgement.piece[k] != judgement.piece[0]) names.push_back(assembly.parts()[k].name);
+  return join(names, ", ");
+}
+
+}  // namespace
+
 Soundness soundness(const Assembly& assembly, const std::vector<Link>& links,
                     const Judgement& judgement, const ValidateOptions& options) {
   Soundness result;
@@ -199,7 +212,8 @@ Soundness soundness(const Assembly& assembly, const std::vector<Link>& links,
   }
   result.problems = result.open_connections;
   if (result.pieces > 1)
-    result.problems.push_back("falls into " + std::to_string(result.pieces) + " pieces");
+    result.problems.push_back("falls into " + std::to_string(result.pieces) +
+                              " pieces; loose: " + loose_parts(assembly, judgement));
   if (!result.grounded)
     result.problems.push_back("the lowest point is at " + millimetres(judgement.standing.low));
   if (!result.stable && on_ground)

@@ -20,6 +20,15 @@ constexpr std::size_t most_problems = 20;
 constexpr double shortest_side = 0.005, longest_side = 20.0;  // metres
 constexpr double metres_a_centimetre = 0.01;
 
+// What making is good for, by who does it.
+constexpr const char* made_by_itself =
+    "What you want to be made you write yourself, in one further answer, as programs of solids with "
+    "colours, materials and patterns, and you see it drawn. So make what gives this room its "
+    "character and is not in stock, above all what the wish names: what rules made of the words "
+    "seldom is it at a glance. Common furniture in stock looks better than what is made.";
+constexpr const char* made_by_rules =
+    "What is made is plainer than what is in stock: make a thing where nothing offered is what it "
+    "should be.";
 const std::vector<std::string> list_keys = {"choices", "choice", "items", "assets"};
 const std::vector<std::string> item_keys = {"item", "id", "number", "row"};
 const std::vector<std::string> take_keys = {"take",  "choice", "candidate",
@@ -181,33 +190,21 @@ void tell_missing(const ChoiceRequest& request, ReadChoices& read) {
     read.problems.push_back("/choices: nothing usable is said of item " + join(missing, ", "));
 }
 
-/// Whatever answers, as a chat model.
-class Line final : public ChatModel {
- public:
-  explicit Line(const ChoiceCall& call) : call_(call) {}
-  Result<ChatReply> chat(const ChatRequest& request) override { return call_.chat(request); }
-
- private:
-  const ChoiceCall& call_;
-};
-
-Question question_of(const ChoiceRequest& request, const ChoiceCall& call) {
+Question question_of(const ChoiceRequest& request, bool makes_itself) {
   Question question;
   question.system = "choose-system";
   question.user = "choose-user";
   std::vector<std::string> offers;
-  for (const auto& offer : request.offers) offers.push_back(offer_text(request.plan, offer));
-  const Vec2 size = bounds(request.plan.room.polygon).size();
+  for (const auto& offer : request.offers)
+    offers.push_back(offer_text(request.plan, offer, !makes_itself));
   const std::string again = "These were searched again as you said; there is no further search.";
   question.user_slots = {{"prompt", request.plan.prompt},
-                         {"room", request.plan.room.type + ", " + format_number(size.x(), 1) +
-                                      " x " + format_number(size.y(), 1) + " m"},
+                         {"room", room_line(request.plan.room)},
+                         {"making", makes_itself ? made_by_itself : made_by_rules},
                          {"again", request.again ? again : ""},
                          {"offers", join(offers, "\n")}};
   question.schema = answer_schema();
   question.schema_name = "choices";
-  question.max_tokens = call.max_tokens;
-  question.images = call.images;
   question.cancel = request.cancel;
   return question;
 }
@@ -235,23 +232,18 @@ Result<ReadChoices> read_choices(std::string_view text, const ChoiceRequest& req
   return result;
 }
 
-Result<std::vector<AssetChoice>> ask_for_assets(const ChoiceRequest& request,
-                                                const ChoiceCall& call,
+Result<std::vector<AssetChoice>> ask_for_assets(const ChoiceRequest& request, const Call& call,
                                                 std::vector<std::string>& notes) {
-  Line line(call);
-  Interview interview(line, call.prompts, call.answers);
   std::vector<AssetChoice> so_far;
-  auto choices = interview.ask(question_of(request, call), [&](const std::string& text) {
+  const auto reader = [&](const std::string& text) {
     using Read = Reading<std::vector<AssetChoice>>;
     auto read = read_choices(text, request, so_far);
     if (!read) return Result<Read>(read.error());
     so_far = read->choices;
     return Result<Read>(
         Read{std::move(read->choices), std::move(read->repairs), join(read->problems, "; ")});
-  });
-  const auto told = interview.take_notes();
-  notes.insert(notes.end(), told.begin(), told.end());
-  return choices;
+  };
+  return call.ask(question_of(request, call.makes_itself), reader, notes);
 }
 
 }  // namespace roomgen::design

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <functional>
-
-#include "chat/interview.h"
+#include "call.h"
 #include "roomgen/design/designer.h"
 
 namespace roomgen::design {
@@ -19,19 +17,9 @@ struct ReadChoices {
 Result<ReadChoices> read_choices(std::string_view text, const ChoiceRequest& request,
                                  const std::vector<AssetChoice>& earlier = {});
 
-/// How a model is asked: what to call for an answer, and the pictures of what is offered, as files.
-struct ChoiceCall {
-  std::function<Result<ChatReply>(const ChatRequest&)> chat;
-  std::vector<std::string> images;
-  Prompts prompts;
-  int answers = 3;
-  int max_tokens = 4096;
-};
-
 /// Asks which assets shall be taken; once more for what was wrong or missing, which stands in
 /// `notes` too. What is then still open has no choice.
-Result<std::vector<AssetChoice>> ask_for_assets(const ChoiceRequest& request,
-                                                const ChoiceCall& call,
+Result<std::vector<AssetChoice>> ask_for_assets(const ChoiceRequest& request, const Call& call,
                                                 std::vector<std::string>& notes);
 
 }  // namespace roomgen::design

@@ -16,8 +16,10 @@ constexpr std::array<const char*, 3> narrower = {"narrower", "shallower", "lower
 constexpr std::array<const char*, 3> wider = {"wider", "deeper", "higher"};
 
 std::string own_words(const AssetInfo& asset) {
-  if (asset.ref.procedural && !asset.name.empty() && asset.ref.procedural->recipe == "program")
-    return asset.name;
+  if (asset.ref.procedural && !asset.name.empty() && asset.ref.procedural->recipe == "program") {
+    const std::string about = text_parameter(*asset.ref.procedural, "about");
+    return about.empty() ? asset.name : about;
+  }
   if (asset.ref.procedural) {
     const std::string said = text_parameter(*asset.ref.procedural, "description");
     return said.empty() ? asset.category : said;
@@ -110,7 +112,12 @@ std::string offer_title(const Plan& plan, const AssetOffer& offer) {
   return text + ", " + size_text(offer.size) + " m";
 }
 
-std::string offer_text(const Plan& plan, const AssetOffer& offer) {
+std::string room_line(const Room& room) {
+  const Vec2 size = bounds(room.polygon).size();
+  return room.type + ", " + format_number(size.x(), 1) + " x " + format_number(size.y(), 1) + " m";
+}
+
+std::string offer_head(const Plan& plan, const AssetOffer& offer) {
   const PlanItem& item = plan.items[offer.items.front()];
   std::string text = offer_title(plan, offer);
   if (item.mount == Mount::wall) text += ", on a wall";
@@ -119,8 +126,14 @@ std::string offer_text(const Plan& plan, const AssetOffer& offer) {
   if (item.varied && offer.count > 1) text += ", each another one";
   if (item.asked) text += ", asked for by the wish";
   if (offer.carries) text += ", carries things";
+  return text;
+}
+
+std::string offer_text(const Plan& plan, const AssetOffer& offer, bool by_rules) {
+  std::string text = offer_head(plan, offer);
+  if (!offer.is_shown) text += "; NOTHING IN STOCK IS ONE";
   for (std::size_t i = 0; i < offer.assets.size(); ++i) text += "\n" + asset_line(offer, i);
-  return text + "\n" + making_line(offer);
+  return by_rules ? text + "\n" + making_line(offer) : text;
 }
 
 }  // namespace roomgen::design

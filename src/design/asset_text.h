@@ -10,10 +10,14 @@ namespace roomgen::design {
 /// given: "white leather sofa with right chaise, painted: upholstery navy velvet".
 std::string told_looks(const AssetInfo& asset);
 
-/// What a designer without eyes is told of an offer: the thing that is asked for, and a line for
-/// each asset.
-std::string offer_text(const Plan& plan, const AssetOffer& offer);
-/// The first of these lines, for a sheet.
+/// What a designer without eyes is told of an offer: the thing that is asked for, a line for each
+/// asset, and one for what rules would make of the words.
+std::string offer_text(const Plan& plan, const AssetOffer& offer, bool by_rules);
+/// The first of these lines.
+std::string offer_head(const Plan& plan, const AssetOffer& offer);
+/// What of it goes on a sheet.
 std::string offer_title(const Plan& plan, const AssetOffer& offer);
+/// "study, 4 x 3.6 m"
+std::string room_line(const Room& room);
 
 }  // namespace roomgen::design

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "asset_choice.h"
+#include "asset_making.h"
 #include "base/sha256.h"
 #include "brief/said_wish.h"
 #include "chat/interview.h"
@@ -22,6 +23,7 @@ namespace {
 
 constexpr double second_temperature = 0.5;  // weak models repeat a bad answer word for word
 constexpr std::size_t most_quoted = 4000;   // bytes of an answer that cannot be used
+constexpr int program_tokens = 5000, most_making_tokens = 32'000;
 
 class ModelDesigner : public Designer {
  public:
@@ -84,23 +86,25 @@ class ModelDesigner : public Designer {
 
   Result<AssetChoices> choose(const ChoiceRequest& request) override {
     AssetChoices answer;
-    Consultation& consultation = answer.consultation;
-    design::ChoiceCall talk{{}, {}, prompts_, options_.answers, options_.plan_tokens};
-    if (auto status = show(request.sheets, talk.images, consultation); !status)
-      consultation.notes.push_back("there are no pictures: " + status.error().message);
-    talk.chat = [&](ChatRequest question) {
-      consultation.prompt_sha256 = sha256_hex(question.messages.back().text);
-      auto reply = call(question, consultation);
-      if (reply) count(*reply, consultation);
-      return reply;
-    };
-    auto choices = design::ask_for_assets(request, talk, consultation.notes);
-    if (choices)
-      answer.choices = *std::move(choices);
-    else if (choices.error().kind == Error::Kind::cancelled || is_spent())
-      return choices.error();
-    consultation.fell_back = !choices;
-    if (!choices) consultation.notes.push_back(choices.error().message + "; the library chooses");
+    const design::Call talk = talk_about(request.sheets, answer.consultation);
+    auto choices = design::ask_for_assets(request, talk, answer.consultation.notes);
+    if (choices) answer.choices = *std::move(choices);
+    if (auto status = end(choices, "the library chooses", answer.consultation); !status)
+      return status.error();
+    return answer;
+  }
+
+  bool makes() const override { return options_.makes_assets && chooses(); }
+
+  Result<ThingsMade> make(const MakingRequest& request) override {
+    ThingsMade answer;
+    design::Call talk = talk_about(request.sheets, answer.consultation);
+    const int wanted = program_tokens * static_cast<int>(request.things.size());
+    talk.max_tokens = std::max(talk.max_tokens, std::min(wanted, most_making_tokens));
+    auto programs = design::ask_for_programs(request, talk, answer.consultation.notes);
+    if (programs) answer.programs = *std::move(programs);
+    const char* instead = request.again ? "things stay as they were" : "rules make them";
+    if (auto status = end(programs, instead, answer.consultation); !status) return status.error();
     return answer;
   }
 
@@ -152,6 +156,32 @@ class ModelDesigner : public Designer {
   bool ends_the_room(const Error& error) const {
     return error.kind == Error::Kind::unavailable || error.kind == Error::Kind::cancelled ||
            is_spent();
+  }
+
+  // With the pictures, as far as there are any. The consultation must outlive it.
+  design::Call talk_about(const std::function<Result<std::vector<Image>>()>& sheets,
+                          Consultation& consultation) {
+    design::Call talk{{}, {}, prompts_, options_.answers, options_.plan_tokens, makes()};
+    if (auto status = show(sheets, talk.images, consultation); !status)
+      consultation.notes.push_back("there are no pictures: " + status.error().message);
+    talk.chat = [&](ChatRequest question) {
+      consultation.prompt_sha256 = sha256_hex(question.messages.back().text);
+      auto reply = call(question, consultation);
+      if (reply) count(*reply, consultation);
+      return reply;
+    };
+    return talk;
+  }
+
+  // Without an answer something else is done instead, unless nothing may be asked any more.
+  template <typename Answer>
+  Status end(const Result<Answer>& answer, const std::string& instead,
+             Consultation& consultation) const {
+    consultation.fell_back = !answer;
+    if (answer) return {};
+    if (answer.error().kind == Error::Kind::cancelled || is_spent()) return answer.error();
+    consultation.notes.push_back(answer.error().message + "; " + instead);
+    return {};
   }
 
   bool is_spent() const { return options_.budget_is_spent && options_.budget_is_spent(); }

@@ -7,7 +7,7 @@
 #include "create/finish_look.h"
 #include "design/asset_text.h"
 #include "library/asset_object.h"
-#include "make_asset.h"
+#include "make_things.h"
 #include "offers.h"
 #include "roomgen/base/text.h"
 
@@ -17,7 +17,15 @@ namespace {
 
 constexpr double same_size = 0.02;
 
-/// Writes choices into the plan; what is searched again waits for the next round.
+void show(const Workplace& place, BuildEvent::Kind kind, const std::string& text) {
+  if (!place.options.on_event) return;
+  BuildEvent event{kind, 0, planned_objects(place.plan).size()};
+  event.text = text;
+  place.options.on_event(event);
+}
+
+/// Writes choices into the plan; what is searched again waits for the next round, what the designer
+/// makes for the end.
 class Chooser {
  public:
   explicit Chooser(Workplace& place) : place_(place) {}
@@ -39,6 +47,25 @@ class Chooser {
         tell(round, offer, "searching again failed: " + other.error().message);
     }
     return again;
+  }
+
+  // What was ordered, all at once. It has its colours by itself.
+  void make_all() {
+    if (offers_.empty()) return;
+    show(place_, BuildEvent::Kind::making, "making " + std::to_string(offers_.size()) + " things");
+    const auto made = make_things(place_, offers_);
+    ChoiceRound told;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      if (!made[i].fault.empty()) tell(told, offers_[i], made[i].fault);
+      if (!made[i].asset) {
+        tell(told, offers_[i], "rules make it");
+        make_by_rules(offers_[i], choices_[i], told);
+      } else {
+        choices_[i].paint.clear();
+        give(offers_[i], choices_[i], *made[i].asset, told);
+      }
+    }
+    for (const auto& note : told.notes) place_.plan.notes.push_back(note);
   }
 
  private:
@@ -64,13 +91,23 @@ class Chooser {
   }
 
   std::string make(const AssetOffer& offer, const AssetChoice& choice, ChoiceRound& round) {
+    AssetOffer wanted = offer;
+    if (!choice.words.empty()) wanted.words = choice.words;
+    wanted.size = choice.size.value_or(offer.size);
+    if (!place_.designer.makes()) return make_by_rules(wanted, choice, round);
+    if (!choice.paint.empty()) wanted.words += "; colours and materials: " + choice.paint;
+    offers_.push_back(std::move(wanted));
+    choices_.push_back(choice);
+    return {};
+  }
+
+  std::string make_by_rules(const AssetOffer& offer, const AssetChoice& choice,
+                            ChoiceRound& round) {
     const PlanItem& item = place_.plan.items[offer.items.front()];
-    const std::string words = choice.words.empty() ? offer.words : choice.words;
-    auto made = make_asset(place_, item, words, choice.size.value_or(offer.size));
-    const auto& notes = made ? made->notes : std::vector<std::string>{made.error().message};
-    for (const auto& note : notes) tell(round, offer, note);
-    if (made && made->asset) return give(offer, choice, *made->asset, round);
-    tell(round, offer, "\"" + words + "\" cannot be made; the library decides");
+    auto made = made_by_rules(place_, item, offer.words, offer.size);
+    if (!made) tell(round, offer, made.error().message);
+    if (made && *made) return give(offer, choice, **made, round);
+    tell(round, offer, "\"" + offer.words + "\" cannot be made; the library decides");
     return {};
   }
 
@@ -107,6 +144,8 @@ class Chooser {
   }
 
   Workplace& place_;
+  std::vector<AssetOffer> offers_;  ///< what is to be made, with the words and the size
+  std::vector<AssetChoice> choices_;
 };
 
 // Asks, and writes down what was said; false where that was the end.
@@ -114,13 +153,13 @@ bool ask(Workplace& place, ChoiceRound& round, bool again) {
   ChoiceRequest request{place.plan, round.offers, again};
   request.cancel = place.options.cancel;
   if (place.options.renderer) request.sheets = [&] { return sheets_of(place, round.offers); };
+  std::size_t things = 0;
+  for (const auto& offer : round.offers) things += static_cast<std::size_t>(offer.count);
+  show(place, BuildEvent::Kind::choosing,
+       "choosing: " + std::to_string(things) + " things, " + std::to_string(round.offers.size()) +
+           " offers");
   auto answer = place.designer.choose(request);
-  if (!answer) {
-    if (answer.error().kind == Error::Kind::limit) place.stopped = answer.error().message;
-    return false;
-  }
-  tally(answer->consultation, place.model_use);
-  place.model_use.fallbacks = 0;  // those count places
+  if (!account(answer, place)) return false;
   round.answer = *std::move(answer);
   return true;
 }
@@ -151,14 +190,15 @@ void choose_assets(Workplace& place) {
                                " more things were not offered; the library decides");
   Chooser chooser(place);
   for (bool again : {false, true}) {
-    if (offers->empty()) return;
+    if (offers->empty()) break;
     ChoiceRound round;
     round.offers = *std::move(offers);
-    if (!ask(place, round, again)) return;
+    if (!ask(place, round, again)) break;
     offers = chooser.take(round);
     for (const auto& note : round.notes) place.plan.notes.push_back(note);
     place.choices.push_back(std::move(round));
   }
+  chooser.make_all();
 }
 
 }  // namespace roomgen

@@ -24,6 +24,16 @@ Result<PlaceAdvice> consult(Work& work, const PlannedObject& planned, const Plac
 /// Adds what an answer took.
 void tally(const Consultation& consultation, ModelUse& use);
 
+/// The same of an answer about assets; false where there is none, which may be the end.
+template <typename Answer>
+bool account(const Result<Answer>& answer, Workplace& place) {
+  if (!answer && answer.error().kind == Error::Kind::limit) place.stopped = answer.error().message;
+  if (!answer) return false;
+  tally(answer->consultation, place.model_use);
+  place.model_use.fallbacks = 0;  // those count places
+  return true;
+}
+
 /// The advice decides what carries the object or what it hangs above, and so its height. `refused`: how
 /// often it found no place already.
 Status follow(const Work& work, const PlaceAdvice& advice, const PlannedObject& planned,

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "design/asset_text.h"
+#include "evaluate/identity.h"
 #include "library/asset_object.h"
 #include "library/qualifiers.h"
 #include "library/vocabulary.h"
@@ -17,7 +18,8 @@ namespace roomgen {
 namespace {
 
 constexpr std::size_t most_offers = 60;
-constexpr std::size_t rows_of_page = 10;
+constexpr std::size_t rows_of_offers = 10;
+constexpr int least_kind_rank = 3;  // of identity_rank(): it or a kind of it
 constexpr std::size_t longest_title = 110, longest_caption = 40;  // bytes
 // By these factors at most anything is stretched.
 constexpr double least_factor = 0.05, most_factor = 20.0;
@@ -76,6 +78,16 @@ PlanItem as_worded(PlanItem item, const std::string& words) {
   return item;
 }
 
+// Rules make things of many names, which seldom are them at a glance.
+bool is_in_stock(const std::string& category, const AssetOffer& offer) {
+  return std::any_of(offer.assets.begin(), offer.assets.end(), [&](const OfferedAsset& one) {
+    Object object;
+    object.asset = one.asset.ref;
+    return !object.asset.procedural &&
+           identity_rank(identify(object), category) >= least_kind_rank;
+  });
+}
+
 // The library's answers, then those to less: of any size, then of any looks.
 Status fill(const Workplace& place, const std::string& words, std::size_t most, AssetOffer& offer) {
   PlanItem item = item_of(place, offer);
@@ -91,8 +103,9 @@ Status fill(const Workplace& place, const std::string& words, std::size_t most, 
   auto made = made_of(place, as_worded(item_of(place, offer), words), offer.size);
   if (!made) return made.error();
   offer.made = *std::move(made);
-  const bool is_shown = offer.made && offer.assets.size() < most && !has(offer.assets, *offer.made);
-  if (is_shown) offer.assets.push_back(offered(place, item_of(place, offer), *offer.made));
+  const bool is_new = offer.made && offer.assets.size() < most && !has(offer.assets, *offer.made);
+  if (is_new) offer.assets.push_back(offered(place, item_of(place, offer), *offer.made));
+  offer.is_shown = is_in_stock(item_of(place, offer).category, offer);
   return {};
 }
 
@@ -180,20 +193,29 @@ Result<AssetOffer> searched_again(Workplace& place, const AssetOffer& offer,
 
 Result<std::vector<Image>> sheets_of(const Workplace& place,
                                      const std::vector<AssetOffer>& offers) {
+  std::vector<ContactSheet::Row> rows;
+  for (const auto& offer : offers) {
+    if (offer.assets.empty()) continue;
+    rows.push_back({shortened(design::offer_title(place.plan, offer), longest_title), {}});
+    for (std::size_t a = 0; a < offer.assets.size(); ++a)
+      rows.back().things.push_back(drawn(offer, a));
+  }
+  return pages_of(place, rows, rows_of_offers, ContactSheet().most_row);
+}
+
+Result<std::vector<Image>> pages_of(const Workplace& place,
+                                    const std::vector<ContactSheet::Row>& rows,
+                                    std::size_t rows_of_page, double most_row) {
   std::vector<Image> pages;
   ModelTable models;
   ContactSheet sheet;
-  for (std::size_t i = 0; i < offers.size(); ++i) {
-    ContactSheet::Row row{shortened(design::offer_title(place.plan, offers[i]), longest_title), {}};
-    for (std::size_t a = 0; a < offers[i].assets.size(); ++a) {
-      row.things.push_back(drawn(offers[i], a));
-      const AssetRef& ref = row.things.back().object.asset;
-      auto model = load_model(place.library, ref);
-      if (model) models.add(asset_key(ref), *std::move(model));
-    }
-    if (!row.things.empty()) sheet.rows.push_back(std::move(row));
-    const bool is_full = sheet.rows.size() >= rows_of_page || i + 1 == offers.size();
-    if (!is_full || sheet.rows.empty()) continue;
+  sheet.most_row = most_row;
+  for (const auto& row : rows) {
+    for (const auto& thing : row.things)
+      if (auto model = load_model(place.library, thing.object.asset))
+        models.add(asset_key(thing.object.asset), *std::move(model));
+    sheet.rows.push_back(row);
+    if (sheet.rows.size() < rows_of_page && &row != &rows.back()) continue;
     auto page = place.options.renderer->sheet(sheet, models);
     if (!page) return page.error();
     pages.push_back(*std::move(page));

@@ -22,8 +22,13 @@ Result<std::optional<AssetInfo>> made_of(const Workplace& place, const PlanItem&
 /// What an item is asked for, or usual.
 Vec3 wanted_size(const Workplace& place, const PlanItem& item);
 
-/// Pictures of what is offered, each of a page of them. The meshes that are drawn are those of the
-/// library.
+/// Pictures of what is offered, each of a page of them.
 Result<std::vector<Image>> sheets_of(const Workplace& place, const std::vector<AssetOffer>& offers);
+
+/// Pictures of so many rows at most, which are no higher than this. The meshes are those of the
+/// library.
+Result<std::vector<Image>> pages_of(const Workplace& place,
+                                    const std::vector<ContactSheet::Row>& rows,
+                                    std::size_t rows_of_page, double most_row);
 
 }  // namespace roomgen

@@ -25,6 +25,10 @@ Json terms_json(const PlacementTerms& terms) {
   return json;
 }
 
+Json point_json(const Vec3& point) {
+  return {rounded(point.x()), rounded(point.y()), rounded(point.z())};
+}
+
 // Null for rules.
 Json consultation_json(const Consultation& consultation) {
   if (consultation.calls == 0 && consultation.notes.empty()) return nullptr;
@@ -71,16 +75,25 @@ Json choice_json(const AssetChoice& choice, const ChoiceRound& round) {
   const auto kind = static_cast<std::size_t>(choice.kind);
   Json json = {{"take", kind == 0 ? round.offers[choice.offer].label(choice.asset) : names[kind]}};
   if (!choice.words.empty()) json["words"] = choice.words;
-  if (choice.size)
-    json["size"] = {rounded(choice.size->x()), rounded(choice.size->y()),
-                    rounded(choice.size->z())};
+  if (choice.size) json["size"] = point_json(*choice.size);
   if (!choice.paint.empty()) json["paint"] = choice.paint;
   if (!choice.reason.empty()) json["why"] = choice.reason;
   return json;
 }
 
-Json point_json(const Vec3& point) {
-  return {rounded(point.x()), rounded(point.y()), rounded(point.z())};
+Json making_json(const ChoiceRound& round) {
+  Json things = Json::array();
+  for (std::size_t i = 0; i < round.making.size(); ++i) {
+    const ThingToMake& thing = round.making[i];
+    things.push_back({{"item", thing.offer.id},
+                      {"items", thing.offer.items},
+                      {"words", thing.offer.words},
+                      {"size", point_json(thing.offer.size)},
+                      {"notes", thing.notes}});
+    if (const auto program = parse_json(thing.program, "")) things.back()["program"] = *program;
+    if (!round.taken[i].empty()) things.back()["taken"] = round.taken[i];
+  }
+  return things;
 }
 
 Json pose_json(const Pose& pose) {
@@ -112,7 +125,8 @@ Json to_json(const ChoiceRound& round) {
   }
   for (const auto& choice : round.answer.choices)
     offered[choice.offer]["answer"] = choice_json(choice, round);
-  Json json = {{"choice", std::move(offered)}};
+  Json json = round.making.empty() ? Json{{"choice", std::move(offered)}}
+                                   : Json{{"making", making_json(round)}};
   if (Json asked = consultation_json(round.answer.consultation); !asked.is_null())
     json["model"] = std::move(asked);
   if (!round.notes.empty()) json["notes"] = round.notes;

@@ -14,7 +14,7 @@ constexpr double pixels_per_metre = 100.0;  // once the things of a row are scal
 constexpr double title_height = 20.0, caption_height = 15.0, margin = 5.0;  // pixels
 constexpr double title_letters = 10.0, label_letters = 12.0, caption_letters = 8.0;
 // Rows get the whole of a page that a model sees unshrunk, as far as that is of use.
-constexpr double page_height = 1560.0, least_row = 130.0, most_row = 260.0;
+constexpr double page_height = 1560.0, least_row = 130.0;
 
 /// How large a thing looks, metres across and up.
 Vec2 looks_large(const Camera& camera, const Vec3& size) {
@@ -68,7 +68,6 @@ class Row {
   // With its lowest point there.
   void stand(const Vec2& pixel, Object object, double scale) {
     object.size *= scale;
-    object.yaw = 0.0;
     const double up = 0.5 * looks_large(layout_.camera, object.size).y();
     const Vec2 middle = Vec2(pixel.x(), -pixel.y()) / pixels_per_metre + Vec2(0.0, up);
     object.position = middle.x() * layout_.camera.right + middle.y() * layout_.camera.up -
@@ -94,8 +93,8 @@ class Row {
 
 Result<SheetLayout> lay_out(const ContactSheet& sheet) {
   if (sheet.rows.empty()) return Error{Error::Kind::invalid_input, "a contact sheet needs rows"};
-  const double height =
-      std::clamp(page_height / static_cast<double>(sheet.rows.size()), least_row, most_row);
+  const double height = std::clamp(page_height / static_cast<double>(sheet.rows.size()), least_row,
+                                   std::max(least_row, sheet.most_row));
   SheetLayout layout;
   layout.camera =
       model_camera({Vec3::Constant(-1.0), Vec3::Constant(1.0)}, front_quarter, sheet.pixels);

@@ -78,7 +78,15 @@ class Chooser final : public Designer {
   }
   Result<PlaceAdvice> place(const PlaceRequest&) override { return PlaceAdvice(); }
 
+  bool makes() const override { return writes != nullptr; }
+  Result<ThingsMade> make(const MakingRequest& request) override {
+    made.push_back(request.things);
+    return writes(request);
+  }
+
   std::vector<std::vector<AssetOffer>> asked;
+  std::vector<std::vector<ThingToMake>> made;
+  std::function<Result<ThingsMade>(const MakingRequest&)> writes;
 
  private:
   Answer answer_;
@@ -169,6 +177,83 @@ TEST_CASE("What a designer chooses is what stands, and what it leaves out is tol
   CHECK(line["choice"][0]["assets"].size() == offers[0].assets.size());
 }
 
+namespace {
+
+// A board on a post, in colours of its own, `times` as large as 0.6 x 0.4 x 0.5 m.
+std::string stand(double times) {
+  const auto box = [&](const char* name, const Vec3& size, double at) {
+    return Json{{"name", name},
+                {"label", name},
+                {"box", {{"size", {times * size.x(), times * size.y(), times * size.z()}}}},
+                {"at", {0, 0, times * at}},
+                {"material", name}};
+  };
+  return json_line({{"format", "roomgen-shape"},
+                    {"version", 1},
+                    {"name", "anything"},
+                    {"materials", {{"post", {{"color", "#123456"}}}, {"top", {{"color", "mint"}}}}},
+                    {"components", {box("post", {0.3, 0.3, 0.46}, 0.0), box("top", {0.6, 0.4, 0.05}, 0.45)}},
+                    {"connections", {{"post", "floor"}, {"top", "post"}}}});
+}
+
+AssetChoices everything_made(const ChoiceRequest& request) {
+  AssetChoices answer;
+  for (std::size_t i = 0; i < request.offers.size(); ++i) {
+    answer.choices.push_back({i, Take::make});
+    answer.choices.back().size = Vec3(0.6, 0.4, 0.5);
+    answer.choices.back().paint = "navy blue";
+  }
+  return answer;
+}
+
+}  // namespace
+
+TEST_CASE("What a designer makes stands in its size and its own colours, and is made again from the plan") {
+  const auto library = shop();
+  Chooser designer(everything_made), silent;
+  designer.writes = [](const MakingRequest& request) -> Result<ThingsMade> {
+    ThingsMade answer;
+    answer.consultation.calls = 1;
+    const std::string broken = R"({"components": [{"name": "a", "box": {"size": [1, 2]}}]})";
+    if (request.again) answer.programs = {{0, stand(1.7)}, {1, broken}, {2, broken}};
+    if (!request.again)
+      answer.programs = {{0, broken}, {1, stand(1.0)}, {2, stand(30.0)}, {3, stand(1.0)}};
+    return answer;
+  };
+  const Plan plan = plan_of({item("carousel horse", "a white carousel horse"), item("desk", "desk"),
+                             item("floor lamp", "floor lamp"), item("plant", "plant")},
+                            room_with_door(7, 7));
+  const Generation room = furnished(plan, designer, *library);
+  REQUIRE(designer.made.size() == 2);  // notes make for a second time
+  CHECK(contains_text(designer.made[0][0].offer.words, "navy blue"));
+  CHECK(says(designer.made[1][0].notes, "/components/0"));
+  CHECK(says(designer.made[1][2].notes, "large"));
+  REQUIRE(room.scene.objects.size() == 4);
+  for (const auto& object : room.scene.objects) {
+    INFO(object.id);
+    REQUIRE(object.asset.procedural);
+    const bool is_written = object.category != "floor lamp";
+    CHECK((object.asset.procedural->recipe == "program") == is_written);
+    if (!is_written) continue;
+    CHECK(object.size.isApprox(Vec3(0.6, 0.4, 0.5), 0.02));
+    CHECK(object.asset.finish.empty());
+    CHECK(contains_text(object.asset.procedural->params, "#123456"));
+    CHECK(text_parameter(*object.asset.procedural, "name") == object.category);
+  }
+  CHECK(says(room.notes, "3. rules make it"));
+  CHECK(says(room.notes, "the one before stays"));
+  CHECK(room.model_use.calls == 2);
+  REQUIRE(room.choices.size() == 3);
+  const Json line = to_json(room.choices.back());
+  CHECK(line["making"].size() == 4);
+  CHECK(line["making"][0]["program"]["components"].size() == 2);
+  CHECK(line["making"][2].contains("taken") == false);
+
+  const auto again = plan_from_json(to_json(room.chosen.front()), "plan.json");
+  REQUIRE(again);
+  CHECK(keys_of(furnished(*again, silent, *library)) == keys_of(room));
+}
+
 TEST_CASE("A plan with what was chosen makes the same room again without a designer that chooses") {
   const auto library = shop();
   Chooser designer(some_of_everything), silent;
@@ -230,4 +315,10 @@ TEST_CASE("A designer that may ask no more ends the room before anything stands"
   CHECK(room.scene.objects.empty());
   CHECK(room.scene.incomplete);
   CHECK(room.stopped == "the money is spent");
+
+  Chooser spent(everything_made);
+  spent.writes = [](const MakingRequest&) -> Result<ThingsMade> {
+    return Error{Error::Kind::limit, "no more calls"};
+  };
+  CHECK(furnished(five_things(), spent, *library).stopped == "no more calls");
 }

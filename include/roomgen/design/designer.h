@@ -57,6 +57,7 @@ struct AssetOffer {
   std::string words;               ///< what was searched for
   Vec3 size = Vec3::Ones();        ///< asked for, or usual
   bool carries = false;            ///< the plan puts things onto it
+  bool is_shown = true;            ///< something in stock is known to be what is asked for
   std::vector<OfferedAsset> assets;  ///< best first; of those searched again the first of before is the last
   std::optional<AssetInfo> made;  ///< what the words would be made into; nothing: nobody knows how
 
@@ -88,6 +89,29 @@ struct AssetChoice {
 
 struct AssetChoices {
   std::vector<AssetChoice> choices;  ///< one an offer; without one it keeps the library's first
+  Consultation consultation = {};
+};
+
+/// A thing that is made, for nothing that is offered is it.
+struct ThingToMake {
+  AssetOffer offer;  ///< with the words and the size as it shall be
+  std::string program;  ///< JSON that was written for it; empty: none yet
+  std::vector<std::string> notes;  ///< what is wrong with that, with JSON pointers in it
+};
+
+/// What a designer makes at once, or looks at and mends.
+struct MakingRequest {
+  const Plan& plan;
+  std::vector<ThingToMake> things;
+  const Json& form;    ///< the JSON schema of programs (docs/shapes.md)
+  bool again = false;  ///< they were written, as far as they have programs: what shall be otherwise?
+  /// Draws what was made, under the offers' numbers; empty where nothing draws.
+  std::function<Result<std::vector<Image>>()> sheets = {};
+  CancelToken cancel = {};
+};
+
+struct ThingsMade {
+  std::map<std::size_t, std::string> programs;  ///< JSON by things of the request, as it was written
   Consultation consultation = {};
 };
 
@@ -149,6 +173,10 @@ class Designer {
   /// Asked once for a room, and once more for what it wants to be searched by other words. Fails as
   /// place() does.
   virtual Result<AssetChoices> choose(const ChoiceRequest&) { return AssetChoices{}; }
+  /// Does it make what it wants to be made? Else rules do.
+  virtual bool makes() const { return false; }
+  /// Asked once for all that shall be made, and once more when it can see that. Fails as place() does.
+  virtual Result<ThingsMade> make(const MakingRequest&) { return ThingsMade{}; }
 
   /// Relations only name what is placed or a part of the room. Fails with limit when no more may be asked:
   /// then the room ends with what is placed.
@@ -236,6 +264,7 @@ struct ModelDesignerOptions {
   /// and y left from the right, as the paper has it.
   bool paper_frame = false;
   bool chooses_assets = true;  ///< of each thing, before anything is placed
+  bool makes_assets = true;    ///< writes shape programs of what it wants to be made; else rules make it
   bool chooses_order = false;  ///< each answer also says which thing shall come next
   int answers = 3;  ///< asked for at most, for one plan or object, when answers cannot be used
   /// Answers about places that are known beforehand, by the ids of things, as a model gives them.

@@ -22,7 +22,6 @@
 
 namespace roomgen::create {
 struct Creation;
-class Maker;
 }
 
 namespace roomgen {
@@ -69,13 +68,14 @@ Json to_json(const Step& step);
 /// {"object", "from", "to", "by", "turned_deg"}: metres and degrees.
 Json to_json(const Move& move);
 
-/// What a designer was offered at once, and what it chose: a line of trace.jsonl before those of
-/// the steps.
+/// What a designer was offered at once, and what it chose, or what it was asked to make: a line of
+/// trace.jsonl before those of the steps.
 struct ChoiceRound {
   std::vector<AssetOffer> offers;
   AssetChoices answer;
-  std::vector<std::string> taken;  ///< by offer: asset_key(); "": the words decide, or left out
-  std::vector<std::string> notes;  ///< what could not be had as it was chosen
+  std::vector<ThingToMake> making;  ///< with what was written, and what was wrong with that before
+  std::vector<std::string> taken;  ///< by offer, or thing: asset_key(); "": the words decide, or left out
+  std::vector<std::string> notes;  ///< what could not be had as it was chosen, is wrong with what was made
   std::string room;                ///< of a dwelling
 };
 Json to_json(const ChoiceRound& round);
@@ -120,6 +120,8 @@ struct Generation {
 /// What a builder tells while it works, on the thread that called it.
 struct BuildEvent {
   enum class Kind {
+    choosing,   ///< the designer is asked what things shall be: `text`
+    making,     ///< and makes some: `text`
     begun,      ///< `object` is looked after now
     placed,     ///< `object` stands: `placed` has its pose
     left_out,   ///< `object` found no place: `step->reason`
@@ -133,7 +135,8 @@ struct BuildEvent {
   std::string object = {};         ///< id; empty for what concerns all
   const Object* placed = nullptr;  ///< these live as long as the call
   const Step* step = nullptr;      ///< of placed and left_out: what the trace will say
-  const Scene* scene = nullptr;    ///< what stands now
+  const Scene* scene = nullptr;    ///< what stands now; null before anything does
+  std::string text = {};           ///< of choosing and making, for people
 };
 
 struct BuildOptions {
@@ -145,7 +148,6 @@ struct BuildOptions {
   Improvement improvement = Improvement::minimal;
   int improve_rounds = 60;     ///< of improvement at the end
   int offers_per_item = 4;     ///< assets among which a designer chooses
-  create::Maker* maker = nullptr;  ///< makes what it wants to be made; null: rules do
   std::uint64_t seed = 0;      ///< which of equally good assets are taken
   bool tells_least = true;     ///< generate() measures the least size for an error too_small
   CancelToken cancel;          ///< stops the call at work, and those to come

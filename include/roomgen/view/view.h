@@ -120,7 +120,7 @@ struct Visibility {
 /// Things side by side, each alone, for who chooses among them: a row is drawn at one scale.
 struct ContactSheet {
   struct Thing {
-    Object object;  ///< its asset and size count
+    Object object;  ///< its asset and size count, and its yaw, a half turn or none
     std::string label, caption;
   };
   struct Row {
@@ -129,6 +129,7 @@ struct ContactSheet {
   };
   std::vector<Row> rows;
   int pixels = 1024;  ///< wide
+  double most_row = 260.0;  ///< a row's height at most, pixels
 };
 
 /// Draws a scene.
