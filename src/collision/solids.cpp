@@ -4,6 +4,7 @@
 #include <fcl/math/bv/OBB.h>
 #include <fcl/narrowphase/collision.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -220,15 +221,31 @@ bool boxes_overlap(const Object& a, const Object& b) {
   return overlaps(rectangle(a), rectangle(b), box_tolerance);
 }
 
+Footprint core_of_rug(const Footprint& rug) {
+  constexpr double core = 0.7;  // of its sides
+  return Footprint(rug.center(), 2.0 * core * rug.half(), rug.yaw(), rug.round());
+}
+
+bool may_lie_over(const Footprint& rug, const Footprint& larger) {
+  constexpr double most_area = 0.7;
+  if (rug.area() > most_area * larger.area()) return false;
+  const auto corners = core_of_rug(rug).outline();
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](const Vec2& corner) { return contains(larger, corner); });
+}
+
 bool boxes_clash(const Object& object, const Footprint& footprint, double bottom, const Object& other,
                  const Footprint& footprint_of_other) {
   constexpr double touch = 1e-4;
   if (!footprint.bounds().overlaps(footprint_of_other.bounds(), -touch)) return false;
   if (!both_solid(object, other)) {
     if (!object.traits.flat || !other.traits.flat) return false;
-  } else if (bottom >= top(other) - touch || roomgen::bottom(other) >= bottom + object.size.z() - touch) {
-    return false;
+    return overlaps(footprint, footprint_of_other, touch) &&
+           !may_lie_over(footprint, footprint_of_other) &&
+           !may_lie_over(footprint_of_other, footprint);
   }
+  if (bottom >= top(other) - touch || roomgen::bottom(other) >= bottom + object.size.z() - touch)
+    return false;
   return overlaps(footprint, footprint_of_other, touch);
 }
 

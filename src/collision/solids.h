@@ -46,8 +46,12 @@ struct Crowd {
 
 /// Do the boxes share space? Touching is no overlap.
 bool boxes_overlap(const Object& a, const Object& b);
+/// The middle of a rug, all of which must lie on the rug that it lies over.
+Footprint core_of_rug(const Footprint& rug);
+/// Is the one so much smaller than the other rug, and so far within it, that it may lie over it?
+bool may_lie_over(const Footprint& rug, const Footprint& larger);
 /// Would `object`, were it there, share space with the other's box where that is not allowed in general? Rugs
-/// may lie under everything but not over each other.
+/// may lie under everything, and over larger rugs.
 bool boxes_clash(const Object& object, const Footprint& footprint, double bottom, const Object& other,
                  const Footprint& footprint_of_other);
 /// Both solid: rugs share the floor with what stands on them.

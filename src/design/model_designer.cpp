@@ -14,6 +14,7 @@
 #include "place_reply.h"
 #include "plan/claim.h"
 #include "plan_reply.h"
+#include "together.h"
 #include "roomgen/base/text.h"
 #include "roomgen/chat/chat_model.h"
 
@@ -195,6 +196,7 @@ class ModelDesigner : public Designer {
   struct Told {
     std::string text, prompt;  ///< the hash of the question
     std::shared_ptr<const std::vector<Object>> then;  ///< what stood, where the place is one on a thing; else null
+    std::optional<Vec2> in_row = {};  ///< PlaceAdvice::spread
   };
 
   // What was answered together with another thing, while what carries both stands as it did.
@@ -209,11 +211,22 @@ class ModelDesigner : public Designer {
     auto reply = design::read_place_reply(told.text, context_of(request));
     if (!reply) return notes.push_back(reply.error().message), std::nullopt;
     if (options_.mode != ModelMode::fused) reply->advice.location.reset(), reply->advice.yaw.reset();
+    if (reply->advice.yaw && lies_across(request))
+      reply->advice.yaw = wrap_angle(*reply->advice.yaw + 0.5 * pi);
+    if (told.in_row) reply->advice.location = told.in_row, reply->advice.spread = true;
     Consultation& consultation = reply->advice.consultation;
     consultation.prompt_sha256 = told.prompt;
     consultation.notes = std::move(reply->repairs);
     consultation.notes.insert(consultation.notes.begin(), "answered together with others");
     return std::move(reply->advice);
+  }
+
+  // What has no front may lie across what the list of things said of it: it is as long as it was told there.
+  static bool lies_across(const PlaceRequest& request) {
+    const auto& told = request.plan.items[request.planned.item].size;
+    const Vec2 real = request.object.size.head<2>();
+    return told && !request.object.traits.front &&
+           (real - told->head<2>()).norm() > (real - Vec2(told->y(), told->x())).norm() + 1e-6;
   }
 
   // What was told once is not told again.
@@ -241,6 +254,16 @@ class ModelDesigner : public Designer {
     for (const auto& [id, text] : reply.others) told_[id] = {text, consultation.prompt_sha256, then};
   }
 
+  void spread(const PlaceRequest& request, design::PlaceReply& reply) {
+    std::vector<std::pair<std::string, PlaceAdvice>> answers = {{request.object.id, reply.advice}};
+    for (const auto& [id, text] : reply.others)
+      if (auto other = design::read_place_reply(text, context_of(request)))
+        answers.emplace_back(id, std::move(other->advice));
+    for (const auto& [id, place] : design::places_in_rows(answers, request.scene))
+      if (id == request.object.id) reply.advice.location = place, reply.advice.spread = true;
+      else told_[id].in_row = place;
+  }
+
   Result<PlaceAdvice> ask(const PlaceRequest& request, Consultation& consultation) {
     auto question = questions_.to_place(request, known(request));
     if (!question) return question.error();
@@ -257,6 +280,7 @@ class ModelDesigner : public Designer {
                               reply->repairs.end());
     if (!located) reply->advice.location.reset(), reply->advice.yaw.reset();
     keep_others(request, *reply, consultation);
+    if (located && request.object.mount == Mount::surface) spread(request, *reply);
     return std::move(reply->advice);
   }
 

@@ -56,15 +56,15 @@ std::string read_next(const Json& json, const std::vector<std::string>& later,
 }
 
 // {"others": [{"id": "cup-0", …}]}
-std::map<std::string, std::string> read_others(const Json& json) {
+std::vector<std::pair<std::string, std::string>> read_others(const Json& json) {
   constexpr std::size_t most_others = 30;
-  std::map<std::string, std::string> others;
+  std::vector<std::pair<std::string, std::string>> others;
   const Json* list = member(json, {"others", "other things"});
   if (!list || !list->is_array()) return others;
   for (const auto& one : *list) {
     const Json* id = one.is_object() ? member(one, {"id", "object", "name"}) : nullptr;
     if (id && id->is_string() && others.size() < most_others)
-      others.emplace(id->get<std::string>(), json_line(one));
+      others.emplace_back(id->get<std::string>(), json_line(one));
   }
   return others;
 }
@@ -115,7 +115,8 @@ std::optional<Vec2> read_location(const Json& json, const PlaceReplyContext& con
                                   ReplyNotes& notes) {
   const auto frame = context.paper_frame ? MarksFrame::paper : MarksFrame::plan;
   const Polygon& room = context.scene.room.polygon;
-  if (const Json* value = member(json, location_keys))
+  const Json* value = member(json, location_keys);
+  if (value && !value->is_null() && !(value->is_array() && value->empty()))
     return read_reply_location(*value, room, frame, notes);
   if (member(json, {"x"}) && member(json, {"y"})) {
     const Json pair = {{"x", *member(json, {"x"})}, {"y", *member(json, {"y"})}};

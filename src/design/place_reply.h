@@ -1,8 +1,8 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "roomgen/design/designer.h"
@@ -11,7 +11,8 @@ namespace roomgen::design {
 
 struct PlaceReply {
   PlaceAdvice advice;
-  std::map<std::string, std::string> others = {};  ///< answers for other things by their ids, to be read in their turn
+  /// Answers for other things, by their ids in order, to be read in their turn.
+  std::vector<std::pair<std::string, std::string>> others = {};
   std::vector<std::string> repairs;  ///< what was understood otherwise than it was written, or is lost
 };
 

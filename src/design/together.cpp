@@ -41,6 +41,28 @@ std::vector<PlannedObject> answered_together(const PlaceRequest& request, ModelS
   return found;
 }
 
+std::map<std::string, Vec2> places_in_rows(
+    const std::vector<std::pair<std::string, PlaceAdvice>>& answers, const Scene& scene) {
+  std::map<std::string, std::vector<std::string>> rows;  // by carrier
+  for (const auto& [id, answer] : answers)
+    if (!answer.location && answer.relations.size() == 1 &&
+        answer.relations.front().kind == RelationKind::on)
+      rows[answer.relations.front().target].push_back(id);
+  std::map<std::string, Vec2> places;
+  for (const auto& [carrier_id, ids] : rows) {
+    const Object* carrier = find_object(scene, carrier_id);
+    if (!carrier || ids.size() < 2) continue;
+    const Footprint top = footprint(*carrier);
+    const int along = top.half().x() >= top.half().y() ? 0 : 1;
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      Vec2 at = Vec2::Zero();
+      at[along] = ((2.0 * static_cast<double>(i) + 1.0) / static_cast<double>(ids.size()) - 1.0) * top.half()[along];
+      places[ids[i]] = top.to_world(at);
+    }
+  }
+  return places;
+}
+
 std::string group_text(const Plan& plan, const PlannedObject& planned) {
   const composition::Roles roles(plan);
   const auto* role = roles.of(planned.id);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,6 +14,11 @@ namespace roomgen::design {
 /// `answered` have their answers already.
 std::vector<PlannedObject> answered_together(const PlaceRequest& request, ModelSteps steps,
                                              const std::set<std::string>& answered);
+
+/// What an answer puts onto one thing and gives no place stands in a row along it, in the answer's order: the
+/// places by id. `answers`: all of one answer.
+std::map<std::string, Vec2> places_in_rows(
+    const std::vector<std::pair<std::string, PlaceAdvice>>& answers, const Scene& scene);
 
 /// What a thing of the plan brings along, and how much floor they take about it; empty unless it is the
 /// anchor of a group.

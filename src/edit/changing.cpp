@@ -6,6 +6,7 @@
 #include "operations.h"
 #include "roomgen/base/text.h"
 #include "scene/finish_words.h"
+#include "scene/wall_sides.h"
 
 namespace roomgen {
 
@@ -81,6 +82,12 @@ Status carry_out(Draft& draft, const edit::Cover& cover) {
     return Error{Error::Kind::not_understood, "\"" + cover.looks + "\" names no colour or material that is known"};
   Room& changed = room_with_id(draft.scene, *room);
   RoomMaterials& materials = changed.materials;
+  if (cover.part.starts_with("wall-") && !walls_named(changed, cover.part).empty()) {
+    // The first of those that mean a wall counts.
+    std::erase_if(materials.covers, [&](const WallCover& one) { return one.wall == cover.part; });
+    materials.covers.insert(materials.covers.begin(), {cover.part, cover.looks + " wall", {}});
+    return {};
+  }
   for (const std::string_view part : {"floor", "walls", "ceiling", "accent wall"}) {
     if (part != cover.part) continue;
     std::string& said = part == "floor"     ? materials.floor
@@ -99,7 +106,26 @@ Status carry_out(Draft& draft, const edit::Cover& cover) {
     draft.new_categories.insert(cover.part);
     return {};
   }
-  return cannot("\"" + cover.part + "\" is none of floor, walls, accent wall, ceiling");
+  return cannot("\"" + cover.part + "\" is none of floor, walls, accent wall, ceiling, and no wall of the room");
+}
+
+Status carry_out(Draft& draft, const edit::Light& light) {
+  const auto room = room_named(draft, light.room);
+  if (!room) return room.error();
+  const auto is_known = [&](const std::string& lamp) {
+    return lamp == "all" || find_object(draft.scene, lamp) || draft.shop.kinds().by_name(lamp);
+  };
+  if (light.light.lamps)
+    for (const auto& lamp : *light.light.lamps)
+      if (!is_known(lamp)) return cannot("there is no lamp \"" + lamp + "\" in the room");
+  Lighting& now = room_with_id(draft.scene, *room).light;
+  const Lighting& said = light.light;
+  if (said.hour) now.hour = said.hour;
+  if (said.sky) now.sky = said.sky;
+  if (said.lux) now.lux = said.lux;
+  if (said.kelvin) now.kelvin = said.kelvin;
+  if (said.lamps) now.lamps = said.lamps;
+  return {};
 }
 
 }  // namespace roomgen

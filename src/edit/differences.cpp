@@ -4,6 +4,7 @@
 
 #include "roomgen/base/text.h"
 #include "roomgen/edit/session.h"
+#include "scene/room_look_json.h"
 
 namespace roomgen {
 
@@ -121,13 +122,20 @@ void add_room_words(const Scene& before, const Scene& after, std::vector<std::st
   for (std::size_t i = 0; i < new_rooms.size(); ++i) {
     const RoomMaterials &old = old_rooms[i].materials, &now = new_rooms[i].materials;
     const std::string room = new_rooms[i].id.empty() ? "" : new_rooms[i].id + ": ";
-    for (const auto& [part, was, is] :
-         {std::tuple("floor", old.floor, now.floor), std::tuple("walls", old.walls, now.walls),
-          std::tuple("ceiling", old.ceiling, now.ceiling),
-          std::tuple("accent wall", finish_named(old, accent_name),
-                     finish_named(now, accent_name))})
+    using Change = std::tuple<std::string, std::string, std::string>;
+    std::vector<Change> parts = {{"floor", old.floor, now.floor},
+                                 {"walls", old.walls, now.walls},
+                                 {"ceiling", old.ceiling, now.ceiling},
+                                 {"accent wall", finish_named(old, accent_name), finish_named(now, accent_name)}};
+    for (std::size_t k = 0; k < new_rooms[i].polygon.size(); ++k) {
+      const std::string wall = "wall-" + std::to_string(k);
+      parts.emplace_back(wall, finish_named(old, wall), finish_named(now, wall));
+    }
+    for (const auto& [part, was, is] : parts)
       if (was != is)
         lines.push_back(room + part + ": " + (is.empty() ? "none" : is) + ", not " + (was.empty() ? "none" : was));
+    if (old_rooms[i].light != new_rooms[i].light)
+      lines.push_back(room + "light: " + json_line(light_json(new_rooms[i].light)));
     add_shape_words(old_rooms[i], new_rooms[i], room, lines);
   }
 }

@@ -153,13 +153,57 @@ bool is_about_gone(const Requirement& wish, const Scene& scene) {
                      [&](const std::string& id) { return !find_object(scene, id); });
 }
 
-void add_wishes(Draft& draft) {
+bool went_by_an_edit(const RequirementVerdict& verdict) {
+  return verdict.compliance == Compliance::withdrawn && verdict.reason == by_an_edit;
+}
+
+// New things take the places of those of their kind that went before: by who went.
+std::map<std::string, std::string> heirs_of(const Requirement& wish, const Draft& draft) {
+  std::map<std::string, std::string> heirs;
+  if (wish.kind != Requirement::Kind::count) return heirs;
+  std::vector<std::string> fresh = wish.subjects;
+  std::erase_if(fresh, [&](const std::string& id) {
+    return std::count(draft.added.begin(), draft.added.end(), id) == 0;
+  });
+  for (const auto& verdict : draft.scene.requirements) {
+    const Requirement& asked = verdict.requirement;
+    if (!went_by_an_edit(verdict) || asked.kind != wish.kind || asked.category != wish.category ||
+        asked.room != wish.room)
+      continue;
+    for (const auto& id : asked.subjects)
+      if (!find_object(draft.scene, id) && heirs.size() < fresh.size())
+        heirs.try_emplace(id, fresh[heirs.size()]);
+  }
+  return heirs;
+}
+
+// What was asked of those that went is asked of their heirs. Whether anything was.
+bool ask_again(const Requirement& wish, Draft& draft, std::set<std::string>& again) {
+  const auto heirs = heirs_of(wish, draft);
+  const std::size_t before = again.size();
+  for (auto& verdict : draft.scene.requirements) {
+    if (heirs.empty() || !went_by_an_edit(verdict)) continue;
+    Requirement renewed = verdict.requirement;
+    for (auto* ids : {&renewed.subjects, &renewed.targets})
+      for (auto& id : *ids)
+        if (const auto heir = heirs.find(id); heir != heirs.end()) id = heir->second;
+    if (renewed == verdict.requirement || is_about_gone(renewed, draft.scene)) continue;
+    verdict = {renewed, Compliance::met, ""};
+    again.insert(renewed.id);
+  }
+  return again.size() > before;
+}
+
+// The ids of those that were withdrawn and are asked again.
+std::set<std::string> add_wishes(Draft& draft) {
+  std::set<std::string> again;
   for (auto& wish : draft.wishes) {
-    if (is_about_gone(wish, draft.scene)) continue;
+    if (is_about_gone(wish, draft.scene) || ask_again(wish, draft, again)) continue;
     wish.id = free_id(draft.scene.requirements);
     draft.scene.requirements.push_back({wish, Compliance::met, ""});
   }
   draft.wishes.clear();
+  return again;
 }
 
 const RequirementVerdict* verdict_of(const Verdicts& verdicts, const std::string& id) {
@@ -210,10 +254,11 @@ std::vector<std::string> update_ledger(Draft& draft, const Scene& before) {
   earlier.named = draft.named;
   const auto was = ledger_of(earlier);
   forget(gone_ids(before, draft.scene), draft);
-  add_wishes(draft);
+  const auto again = add_wishes(draft);
   auto broken = broken_relations(before, draft);
   Verdicts now = ledger_of(draft);
   for (auto& verdict : now) {
+    if (again.count(verdict.requirement.id) && !verdict.met()) withdraw(verdict, by_an_edit);
     const auto* old = verdict_of(was, verdict.requirement.id);
     if (!old || !old->met() || verdict.compliance != Compliance::not_met) continue;
     if (is_overruled(verdict.requirement, draft)) withdraw(verdict, by_an_edit);

@@ -3,6 +3,7 @@
 
 #include "base/json_reader.h"
 #include "roomgen/edit/operation.h"
+#include "scene/room_look_json.h"
 
 namespace roomgen::edit {
 
@@ -125,6 +126,14 @@ Operation read_cover(const JsonReader& json) {
   return Cover{json["part"].text(50), json["looks"].text(500), json["room"].text_or("", 200)};
 }
 
+Operation read_light_of_room(const JsonReader& json) {
+  json.allow_only({"do", "hour", "sky", "level", "warmth", "lamps", "room"});
+  Light light{read_light(json), json["room"].text_or("", 200)};
+  if (light.light == Lighting())
+    json.report("\"hour\", \"sky\", \"level\", \"warmth\" or \"lamps\" say how the light shall be");
+  return light;
+}
+
 Operation read_rearrange(const JsonReader& json) {
   json.allow_only({"do", "objects"});
   return Rearrange{ids_of(json["objects"])};
@@ -201,7 +210,7 @@ struct OperationKind {
   std::string_view name;
   Operation (*read)(const JsonReader& json);
 };
-constexpr std::array<OperationKind, 21> operation_kinds = {{{"add", read_add},
+constexpr std::array<OperationKind, 22> operation_kinds = {{{"add", read_add},
                                                             {"remove", read_remove},
                                                             {"move", read_move},
                                                             {"put", read_put},
@@ -214,6 +223,7 @@ constexpr std::array<OperationKind, 21> operation_kinds = {{{"add", read_add},
                                                             {"recolor", read_recolor},
                                                             {"lock", read_lock},
                                                             {"cover", read_cover},
+                                                            {"light", read_light_of_room},
                                                             {"rearrange", read_rearrange},
                                                             {"arrange", read_arrange},
                                                             {"reform", read_reform},
@@ -234,12 +244,18 @@ Operation read_operation(const JsonReader& json) {
   return Operation();
 }
 
+// What a file would be read without is no operation.
+std::optional<Error> first_of(const JsonReader::Problems& problems) {
+  if (problems.first() || problems.remarks().empty()) return problems.first();
+  return Error{Error::Kind::invalid_input, problems.remarks().front()};
+}
+
 }  // namespace
 
 Result<Operation> operation_from_json(const Json& json, const std::string& source) {
   JsonReader::Problems problems(source);
   Operation operation = read_operation(JsonReader(json, problems));
-  if (problems.first()) return *problems.first();
+  if (auto wrong = first_of(problems)) return *wrong;
   return operation;
 }
 
@@ -250,7 +266,7 @@ Result<std::vector<Operation>> operations_from_json(const Json& json, const std:
   if (!root.is_array()) operations.push_back(read_operation(root));
   else
     for (const auto& element : root.elements(most_operations)) operations.push_back(read_operation(element));
-  if (problems.first()) return *problems.first();
+  if (auto wrong = first_of(problems)) return *wrong;
   if (operations.empty()) return Error{Error::Kind::invalid_input, source + ": there is nothing to do"};
   return operations;
 }

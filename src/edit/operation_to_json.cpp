@@ -2,6 +2,7 @@
 
 #include "roomgen/base/json.h"
 #include "roomgen/edit/operation.h"
+#include "scene/room_look_json.h"
 
 namespace roomgen::edit {
 
@@ -97,6 +98,12 @@ struct Writer {
   Json operator()(const Cover& cover) const {
     Json json = {{"do", "cover"}, {"part", cover.part}, {"looks", cover.looks}};
     add_text(json, "room", cover.room);
+    return json;
+  }
+  Json operator()(const Light& light) const {
+    Json json = light_json(light.light);
+    json["do"] = "light";
+    add_text(json, "room", light.room);
     return json;
   }
   Json operator()(const Rearrange& rearrange) const {

@@ -23,6 +23,7 @@ Status carry_out(Draft& draft, const edit::Resize& resize);
 Status carry_out(Draft& draft, const edit::Recolor& recolor);
 Status carry_out(Draft& draft, const edit::Lock& lock);
 Status carry_out(Draft& draft, const edit::Cover& cover);
+Status carry_out(Draft& draft, const edit::Light& light);
 Status carry_out(Draft& draft, const edit::Rearrange& rearrange);
 Status carry_out(Draft& draft, const edit::Arrange& arrange);
 Status carry_out(Draft& draft, const edit::Reform& reform);

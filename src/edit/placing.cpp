@@ -5,6 +5,7 @@
 #include "generate/fits_as_it_is.h"
 #include "rug_edges.h"
 #include "scene/judgement.h"
+#include "solve/fit_rugs.h"
 
 namespace roomgen {
 
@@ -12,6 +13,7 @@ namespace {
 
 Status settle_root(const Draft& draft, const Layout& layout, RugEdges edges, Cluster& cluster) {
   if (lies_on_floor(cluster.root)) {
+    cluster.root.position.z() = height_of_rug(cluster.root, layout.objects());
     if (edges == RugEdges::stood_on) return {};
     const auto id = on_edge_of(cluster.root, find_object(draft.scene, cluster.root.id), layout.objects(),
                                draft.shop.models());
@@ -118,6 +120,8 @@ void settle_heights(Draft& draft, const std::string& room) {
   std::vector<Object> rugs;
   for (const auto& object : before)
     if (object.room == room && lies_on_floor(object)) rugs.push_back(object);
+  pile_rugs(rugs);
+  for (const auto& rug : rugs) draft.put(Cluster{rug, {}});
   for (const auto& object : before) {
     if (object.room != room || !stands_on_floor(object)) continue;
     Object on_floor = object;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "chat/interview.h"
@@ -48,7 +49,14 @@ std::string unplaced_lines(const Scene& scene) {
   return lines.empty() ? "nothing" : join(lines, "; ");
 }
 
-Result<Question> review_question(const Reviewing& reviewing, const Scene& scene, const std::vector<std::string>& refused) {
+std::string news_of(const std::vector<ReviewRound>& rounds) {
+  if (rounds.empty()) return {};
+  const auto &changes = rounds.back().changes, &refused = rounds.back().refused;
+  return (changes.empty() ? "" : "Your last answer has changed: " + join(changes, "; ") + "\n") +
+         (refused.empty() ? "" : "Of it could not be done: " + join(refused, "; ") + "\n");
+}
+
+Result<Question> review_question(const Reviewing& reviewing, const Scene& scene, const std::vector<ReviewRound>& rounds) {
   auto system = operation_slots(reviewing.prompts, scene);
   if (!system) return system.error();
   const SceneWords words = words_of_scene(scene);
@@ -60,7 +68,7 @@ Result<Question> review_question(const Reviewing& reviewing, const Scene& scene,
                          {"room", words.room},
                          {"parts", words.parts},
                          {"placed", words.placed},
-                         {"refused", refused.empty() ? "" : "Of your last answer could not be done: " + join(refused, "; ") + "\n"}};
+                         {"refused", news_of(rounds)}};
   question.schema = operations_schema("judgement");
   question.schema_name = "review";
   question.max_tokens = reviewing.tokens;
@@ -68,13 +76,37 @@ Result<Question> review_question(const Reviewing& reviewing, const Scene& scene,
   return question;
 }
 
+/// What an answer calls the things that it adds: their ids, by name.
+using NewNames = std::map<std::string, std::string, std::less<>>;
+
+// With ids in place of the names, also behind the comma of a relation.
+Json with_ids(const Json& json, const NewNames& names) {
+  if (json.is_string()) {
+    const std::string text = json.get<std::string>();
+    const auto comma = text.rfind(',');
+    const std::size_t from = comma == std::string::npos ? 0 : text.find_first_not_of(' ', comma + 1);
+    const auto named = from == std::string::npos ? names.end() : names.find(text.substr(from));
+    return named == names.end() ? json : Json(text.substr(0, from) + named->second);
+  }
+  Json result = json;
+  if (json.is_structured())
+    for (auto& inner : result) inner = with_ids(inner, names);
+  return result;
+}
+
 // Each by itself: what one cannot do costs none of the others.
 void carry_out(Session& session, const std::vector<Json>& operations, ReviewRound& round) {
-  for (const auto& one : operations) {
+  NewNames names;
+  for (const auto& said : operations) {
+    Json one = with_ids(said, names);
+    std::string name;
+    if (one.is_object() && one.contains("as") && one["as"].is_string()) name = one["as"].get<std::string>();
+    if (one.is_object()) one.erase("as");
     const auto read = edit::operations_from_json(Json::array({one}), "operation");
     const auto report = read ? session.apply(*read, {json_line(one), "model"}) : Result<EditReport>(read.error());
     if (!report) round.refused.push_back(json_line(one) + ": " + report.error().message);
     else round.changes.insert(round.changes.end(), report->changes.begin(), report->changes.end());
+    if (report && !name.empty() && !report->added.empty()) names[name] = report->added.front();
   }
 }
 
@@ -84,7 +116,7 @@ Result<std::vector<ReviewRound>> review(Session& session, const Reviewing& revie
   std::vector<ReviewRound> rounds;
   Interview interview(reviewing.model, reviewing.prompts, reviewing.answers);
   while (static_cast<int>(rounds.size()) < reviewing.rounds) {
-    auto question = review_question(reviewing, session.scene(), rounds.empty() ? std::vector<std::string>() : rounds.back().refused);
+    auto question = review_question(reviewing, session.scene(), rounds);
     if (!question) return question.error();
     if (reviewing.pictures) {
       auto pictures = reviewing.pictures(session);

@@ -41,6 +41,11 @@ struct StandingGroup {
   std::shared_ptr<const Cast> cast;
 };
 
+/// A rug where a designer put it, and where it lies among what stands now.
+struct LaidRug {
+  Object said, lies;
+};
+
 /// How far a room has come: all that steps change. Copies are cheap (meshes are shared) and are what undo
 /// goes back to; equal states go on equally.
 struct BuildState {
@@ -55,6 +60,7 @@ struct BuildState {
   std::map<std::string, std::string> dropped_groups;  ///< by id: why the designer left them out
   /// Groups within groups that found no place as one, by the id of their anchor: still to be tried.
   std::map<std::string, composition::Arranged> units;
+  std::map<std::string, LaidRug> rugs;  ///< of designers, by id
   std::map<std::string, PlanItem> amended;      ///< by object: what the designer says otherwise than its item
   std::map<std::string, AssetInfo> assets;      ///< by object
   std::map<std::string, AssetInfo> favourites;  ///< by what was asked for (retrieve.h)

@@ -32,6 +32,9 @@ struct Hanging {
 /// one that its relations name; it needs no advice. not_found with the reason if nowhere.
 Result<Hanging> find_hanging(Work& work, const PlannedObject& planned);
 
+/// Curtains of the plan are as large as at their windows, for whoever chooses them.
+void measure_covers(Workplace& place);
+
 /// Hangs it up.
 void hang_up(Work& work, const PlannedObject& planned, Hanging hanging);
 

@@ -9,6 +9,7 @@
 #include "solve/refusal.h"
 #include "solve/support.h"
 #include "support.h"
+#include "told.h"
 
 namespace roomgen {
 
@@ -41,24 +42,6 @@ const Object* carrier_of(const Work& work, const PlannedObject& planned,
                                                                object.category, wanted)))
       return &object;
   return nullptr;
-}
-
-// What stands otherwise than a model said of it.
-std::vector<std::string> elsewhere(const Work& work) {
-  constexpr double told_from = 0.05;  // metres
-  std::set<std::string> said;
-  for (const auto& step : work.state.trace)
-    if (!step.attempts.empty() && !step.attempts.back().answer.consultation.prompt_sha256.empty()) said.insert(step.planned.id);
-  std::vector<std::string> told;
-  for (const auto& step : work.state.trace)
-    if (!step.reason.empty() && !work.layout().find(step.planned.id)) told.push_back(step.planned.id + " is not there: " + step.reason);
-  for (const auto& task : work.state.tasks) {
-    const Object* standing = work.layout().find(task.object.id);
-    if (!standing || !task.location || said.count(task.object.id) == 0) continue;
-    const double away = (standing->position.head<2>() - *task.location).norm();
-    if (away > told_from) told.push_back(standing->id + " stands " + format_number(away, 2) + " m from where you put it");
-  }
-  return told;
 }
 
 // A thing of a group that stands, or was not tried yet, takes its place there when its turn comes.
@@ -165,7 +148,7 @@ Result<PlaceAdvice> consult(Work& work, const PlannedObject& planned, const Plac
   request.with_group = [&] { return coming_with_groups(work); };
   const auto* role = work.role_of(planned.id);
   request.lost_place_in_group = role && !role->is_anchor;
-  request.elsewhere = [&] { return elsewhere(work); };
+  request.elsewhere = [&] { return told_of(work); };
   request.cancel = work.cancel;
   if (!earlier.refusals.empty()) request.free_floor = free_floor(place.layout, task.object);
   if (place.options.renderer) request.marks = [&] { return pictures(work, request, task); };

@@ -1,6 +1,7 @@
 #include "fits_as_it_is.h"
 
 #include "roomgen/base/text.h"
+#include "solve/refusal.h"
 
 namespace roomgen {
 
@@ -29,13 +30,7 @@ Status fits_as_it_is(Layout& layout, const Object& object) {
   if (const auto ids = ids_in_the_way(layout, candidate, area); !ids.empty())
     return wrong_place(object, join(ids, ", ") + (ids.size() == 1 ? " is" : " are") + " in the way");
   const auto verdict = layout.fits_exactly(candidate);
-  if (verdict) return {};
-  std::vector<std::string> ids;
-  for (std::size_t i : verdict.blamed)
-    if (i < layout.things().size()) ids.push_back(layout.things()[i].object->id);
-  return wrong_place(object, ids.empty() ? "something would be out of reach"
-                                         : "it would touch " + join(ids, ", ") +
-                                               ", or one would leave the other useless");
+  return verdict ? Status() : wrong_place(object, misfit(layout, object, verdict));
 }
 
 }  // namespace roomgen

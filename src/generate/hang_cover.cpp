@@ -13,17 +13,18 @@ constexpr double least_to_measure = 0.75, most_to_measure = 1.3;
 
 Error no_place(const std::string& why) { return {Error::Kind::not_found, why}; }
 
-std::vector<const Opening*> windows_in_order(const Work& work, const PlanItem& item) {
-  auto windows = windows_to_cover(work.place.room, work.layout().objects(), item.category);
+std::vector<const Opening*> windows_in_order(const Room& room, std::span<const Object> objects,
+                                             const PlanItem& item) {
+  auto windows = windows_to_cover(room, objects, item.category);
   for (const auto& relation : item.relations)
     std::stable_partition(windows.begin(), windows.end(),
                           [&](const Opening* window) { return window->id == relation.target; });
   return windows;
 }
 
-Object unhung_cover(const PlannedObject& planned, const PlanItem& item, const Kind& category) {
+Object unhung_cover(const std::string& id, const PlanItem& item, const Kind& category) {
   Object object;
-  object.id = planned.id;
+  object.id = id;
   object.category = item.category;
   object.mount = Mount::wall;
   object.traits = category.traits;
@@ -67,8 +68,8 @@ bool may_hang(Work& work, const PlannedObject& planned, const AssetInfo& asset, 
 
 Result<Hanging> find_hanging(Work& work, const PlannedObject& planned) {
   const Kind& category = work.category(planned);
-  const Object object = unhung_cover(planned, work.item(planned), category);
-  const auto windows = windows_in_order(work, work.item(planned));
+  const Object object = unhung_cover(planned.id, work.item(planned), category);
+  const auto windows = windows_in_order(work.place.room, work.layout().objects(), work.item(planned));
   if (windows.empty()) return no_place("the room has no window at which it could hang");
   for (const Opening* window : windows)
     for (auto& hung : hangings(object, category, work.place.room, *window)) {
@@ -78,6 +79,17 @@ Result<Hanging> find_hanging(Work& work, const PlannedObject& planned) {
         return Hanging{std::move(hung), **asset, window->id};
     }
   return no_place("at no window is there room for it");
+}
+
+void measure_covers(Workplace& place) {
+  for (auto& item : place.plan.items) {
+    const Kind& kind = place.categories.get(item.category);
+    if (!kind.covers_window) continue;
+    const auto windows = windows_in_order(place.room, {}, item);
+    if (windows.empty()) continue;
+    const auto hung = hangings(unhung_cover("", item, kind), kind, place.room, *windows.front());
+    if (!hung.empty()) item.size = hung.front().size;
+  }
 }
 
 void hang_up(Work& work, const PlannedObject& planned, Hanging hanging) {

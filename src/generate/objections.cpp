@@ -12,6 +12,12 @@ namespace {
 
 constexpr double far_away = 1.0;
 
+// As near to a wall as makes no difference holds, though no report counts it.
+bool is_kept(RelationKind kind, const Judgement& judgement) {
+  constexpr double nearly_at_wall = 0.93;  // 0.07 m
+  return judgement.held || (kind == RelationKind::edge && judgement.degree > nearly_at_wall);
+}
+
 std::vector<std::string> lost_constraints(const Workplace& place, const PlaceAdvice& answer,
                                           const Object& standing) {
   Object said = standing;
@@ -20,7 +26,7 @@ std::vector<std::string> lost_constraints(const Workplace& place, const PlaceAdv
   const Subject subject{footprint(standing), bottom(standing), top(standing)};
   std::vector<std::string> lost;
   for (std::size_t i = 0; i < resolved.size(); ++i)
-    if (!judge(resolved[i], subject, place.room).held)
+    if (!is_kept(said.relations[i].kind, judge(resolved[i], subject, place.room)))
       lost.push_back("\"" + to_text(said.relations[i]) + "\" does not hold");
   return lost;
 }
@@ -32,7 +38,7 @@ std::vector<std::string> objections_to(const Workplace& place, const PlaceAdvice
   if (answer.usual) return {};
   std::vector<std::string> objections = answer.lost;
   for (auto& lost : lost_constraints(place, answer, standing)) objections.push_back(std::move(lost));
-  if (answer.location) {
+  if (answer.location && !answer.spread) {
     const double away = (standing.position.head<2>() - *answer.location).norm();
     if (away > far_away)
       objections.push_back("it stands " + format_number(away, 2) + " m from the suggested place");

@@ -6,15 +6,14 @@
 #include "design/asset_text.h"
 #include "evaluate/attributes.h"
 #include "evaluate/ledger.h"
-#include "library/asset_object.h"
 #include "library/attribute_words.h"
 #include "library/qualifiers.h"
 #include "moves.h"
 #include "objections.h"
 #include "roomgen/base/text.h"
 #include "scene/judgement.h"
-#include "sizing.h"
-#include "solve/fit_rugs.h"
+#include "rugs.h"
+#include "told.h"
 
 namespace roomgen {
 
@@ -52,10 +51,8 @@ void list_assets(const Workplace& place, const BuildState& state, Generation& re
   }
 }
 
-// What else a thing is than the plan says, in kind or in size; empty: nothing.
-std::string difference(const PlanItem& item, const Kind& kind, const AssetInfo& asset,
-                       const Vec3& size) {
-  static constexpr const char* sides[] = {"wide", "deep", "high"};
+// What else a thing is than the plan says; empty: nothing.
+std::string other_kind(const PlanItem& item, const AssetInfo& asset) {
   const Vocabulary& vocabulary = Vocabulary::built_in();
   const std::string own = own_name(item.category, item.description).kind;
   const std::string asked = vocabulary.understand(item.category).kind;
@@ -63,13 +60,7 @@ std::string difference(const PlanItem& item, const Kind& kind, const AssetInfo& 
   const bool is_so = asset.approximate || asset.stand_in ||
                      vocabulary.fit(asset.category, own) + vocabulary.fit(asset.category, asked) > 0.0 ||
                      !AttributeWords::built_in().need_of(asset.category).empty();
-  if (!is_so)
-    return "a " + asset.category + ", for there is no such " + item.category;
-  const bool is_fitted = kind.covers_window || kind.traits.flat || !item.tilt.isZero();
-  const auto side = item.size && !is_fitted ? far_off_side(size, kind.size, *item.size) : std::nullopt;
-  if (!side) return {};
-  return format_number(size[*side], 2) + " m " + sides[*side] + ", not " +
-         format_number((*item.size)[*side], 2);
+  return is_so ? "" : "a " + asset.category + ", for there is no such " + item.category;
 }
 
 bool is_other_than_chosen(const PlanItem& item, AssetInfo asset) {
@@ -85,57 +76,13 @@ void tell_differences(const Workplace& place, const BuildState& state, Generatio
     if (!placed) continue;
     const PlanItem& item = place.plan.items[planned.item];
     const AssetInfo& asset = state.assets.at(planned.id);
-    std::string text = difference(item, place.categories.get(item.category), asset, placed->size);
+    std::string text = other_kind(item, asset);
+    if (text.empty()) text = other_size(place, state, planned, *placed);
     if (text.empty() && is_other_than_chosen(item, asset))
       text = design::told_looks(asset) + ", for what was chosen found no place";
     if (!text.empty() && told.emplace(planned.item, text).second)
       result.notes.push_back(planned.id + " is " + text);
   }
-}
-
-// What is said of a rug: whether it may be cut, and what it is to be near to.
-RugWish rug_wish(const Workplace& place, const BuildState& state, const PlannedObject& planned) {
-  const PlanItem& item = place.plan.items[planned.item];
-  RugWish wish{planned.id, item.asked, is_size_told(item, place.categories.get(item.category))};
-  for (const auto& task : state.tasks)
-    if (task.object.id == planned.id) wish.wishes = task.wishes, wish.place_told = task.binding;
-  return wish;
-}
-
-// How a rug lies otherwise than it was said.
-void tell_change(const Object& before, Generation& result) {
-  constexpr double unseen = 0.05;  // metres
-  const Object* rug = roomgen::find_object(result.scene, before.id);
-  if (!rug || !rug->traits.flat) return;
-  const double moved = (rug->position - before.position).head<2>().norm();
-  const bool is_cut = (rug->size - before.size).cwiseAbs().maxCoeff() > unseen;
-  if (moved > unseen || is_cut)
-    result.notes.push_back(rug->id + (moved > unseen ? " was moved by " + format_number(moved, 2) + " m and is " : " is ") +
-                           size_text(rug->size) + " m, so that nothing stands on its edge");
-}
-
-// Comes after all moves: until then things stand as if rugs had no height.
-void lay_rugs(const Workplace& place, const BuildState& state, Generation& result) {
-  std::vector<RugWish> wishes;
-  for (const auto& planned : planned_objects(place.plan))
-    wishes.push_back(rug_wish(place, state, planned));
-  const auto before = result.scene.objects;
-  const RugFit fit =
-      fit_rugs(place.room, result.scene.objects, result.models, place.categories, wishes);
-  for (const auto& wish : wishes)
-    if (const Object* lay = wish.place_told ? roomgen::find_object(before, wish.id) : nullptr)
-      tell_change(*lay, result);
-  for (const auto& id : fit.left_out)
-    result.scene.unplaced.push_back(
-        {id, find_object(state.objects, id)->category, "wherever it lies, something stands on its edge"});
-  for (const auto& id : fit.uneven)
-    result.notes.push_back("something stands on the edge of " + id + ", for it was asked for there");
-}
-
-const Step* step_of(const BuildState& state, const std::string& id) {
-  for (const auto& step : state.trace)
-    if (step.planned.id == id) return &step;
-  return nullptr;
 }
 
 // A place that a model, a person or an edit gave; what stands in rows has one by the plan.
@@ -157,6 +104,7 @@ Said said_of(const BuildState& state, const Step& step) {
     }
   if (step.attempts.empty() || step.attempts.front().answer.consultation.calls > 0) return {};
   Said said{step.attempts.front().answer.location, {}};
+  if (is_in_row(&step)) said.location.reset();
   for (const auto& relation : step.attempts.front().answer.relations)
     if (relation.kind == RelationKind::on) said.carrier = relation.target;
   return said;
@@ -200,10 +148,13 @@ void tell_what_was_not_followed(const BuildState& state, Generation& result) {
   std::vector<Move> moves;
   for (const auto& step : state.trace) add_moves(step.moved, moves);
   add_moves(state.moved, moves);
+  std::erase_if(moves, [&](const Move& move) {
+    return move.distance() < least_told || state.rugs.count(move.object) > 0;
+  });
   std::set<std::string> moved;
   for (const auto& move : moves)
     for (const auto& task : state.tasks)
-      if (is_of_somebody(task) && task.object.id == move.object && move.distance() >= least_told && moved.insert(move.object).second)
+      if (is_of_somebody(task) && task.object.id == move.object && moved.insert(move.object).second)
         result.notes.push_back(move.object + " was moved by " + format_number(move.distance(), 2) +
                                " m after it was placed, for what was asked for");
   tell_what_stands_elsewhere(state, moved, result);
@@ -225,7 +176,7 @@ std::vector<RequirementVerdict> verdicts(const Workplace& place, const Generatio
 void count_suggestions(const PlacementTask& task, const Object& placed, const Step* step,
                        SuggestionFigures& figures) {
   if (!is_of_somebody(task)) return;
-  if (task.location) {
+  if (task.location && !is_in_row(step)) {
     const Vec2 ended = placed.position.head<2>();
     const Vec2 first = step && step->pose ? step->pose->position : ended;
     ++figures.located;
@@ -245,7 +196,7 @@ void count_suggestions(const PlacementTask& task, const Object& placed, const St
 void count_constraints(const Workplace& place, const BuildState& state, Generation& result) {
   for (const auto& task : state.tasks) {
     result.constraints += static_cast<int>(task.object.relations.size());
-    if (const Object* placed = find_object(state.objects, task.object.id))
+    if (const Object* placed = roomgen::find_object(result.scene, task.object.id))
       count_suggestions(task, *placed, step_of(state, task.object.id), result.suggestions);
   }
   for (const auto& verdict : judge_scene(result.scene, place.categories))

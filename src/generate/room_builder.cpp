@@ -8,6 +8,7 @@
 #include "moves.h"
 #include "order.h"
 #include "patience.h"
+#include "rugs.h"
 #include "workplace.h"
 
 namespace roomgen {
@@ -114,6 +115,7 @@ struct RoomBuilder::Impl {
       step.category = work.item(planned).category;
       step.description = work.item(planned).description;
       if (auto status = call(work, step); !status) return status.error();
+      settle_rugs(work, &step);
       return step;
     });
     if (!job || cancel.cancelled()) return cut_error(place->options.cancel);
@@ -252,6 +254,7 @@ Status RoomBuilder::improve(std::optional<Seconds> time) {
   const CancelToken cancel = impl_->token(time);
   auto job = impl_->work_on<bool>(cancel, [](Work& work) -> Result<bool> {
     improve_all(work, work.place.options.improve_rounds, work.place.options.improvement);
+    settle_rugs(work, nullptr);
     return true;
   });
   if (!job) return cut_error(impl_->place->options.cancel);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "builder_steps.h"
 #include "choose_assets.h"
 #include "fit_openings.h"
 #include "ready.h"
@@ -39,6 +40,7 @@ Result<std::unique_ptr<Workplace>> open_workplace(Plan plan, Designer& designer,
     if (auto status = fetch_model(*place, asset); !status) return status.error();
   place->joinery = *std::move(used);
   if (auto status = check_assets(place->plan, library); !status) return status.error();
+  if (place->designer.chooses()) measure_covers(*place);
   choose_assets(*place);
   return place;
 }

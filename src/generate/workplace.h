@@ -51,6 +51,13 @@ BuildState first_state(const Workplace& place);
 /// Makes the layout stand as these objects say, in their order.
 void arrange_as(Layout& layout, const std::vector<Object>& objects);
 
+/// As the plan has it, or the designer says of this one.
+inline const PlanItem& item_of(const Workplace& place, const BuildState& state,
+                               const PlannedObject& planned) {
+  const auto amended = state.amended.find(planned.id);
+  return amended == state.amended.end() ? place.plan.items[planned.item] : amended->second;
+}
+
 /// One call at work: where, from and to which state, and what stops it.
 struct Work {
   Workplace& place;
@@ -58,10 +65,7 @@ struct Work {
   CancelToken cancel;
 
   Layout& layout() const { return place.layout; }
-  const PlanItem& item(const PlannedObject& planned) const {
-    const auto amended = state.amended.find(planned.id);
-    return amended == state.amended.end() ? place.plan.items[planned.item] : amended->second;
-  }
+  const PlanItem& item(const PlannedObject& planned) const { return item_of(place, state, planned); }
   const Kind& category(const PlannedObject& planned) const {
     return place.categories.get(item(planned).category);
   }

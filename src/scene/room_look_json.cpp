@@ -128,10 +128,16 @@ std::optional<std::vector<std::string>> read_lamps(const JsonReader& json) {
   return lamps;
 }
 
+Lighting read_room_light(const JsonReader& json) {
+  if (!json.exists()) return {};
+  json.allow_only({"hour", "sky", "level", "warmth", "lamps"});
+  return read_light(json);
+}
+
+}  // namespace
+
 Lighting read_light(const JsonReader& json) {
   Lighting light;
-  if (!json.exists()) return light;
-  json.allow_only({"hour", "sky", "level", "warmth", "lamps"});
   light.hour = read_within(json["hour"], 0.0, 24.0);
   light.sky = read_sky(json["sky"]);
   light.lux = read_measure(json["level"], 0.0, brightest, finish_words().levels);
@@ -140,15 +146,17 @@ Lighting read_light(const JsonReader& json) {
   return light;
 }
 
-void add_light(Json& json, const Lighting& light) {
+Json light_json(const Lighting& light) {
   Json said = Json::object();
   if (light.hour) said["hour"] = rounded(*light.hour);
   if (light.sky) said["sky"] = name(*light.sky);
   if (light.lux) said["level"] = rounded(*light.lux);
   if (light.kelvin) said["warmth"] = rounded(*light.kelvin);
   if (light.lamps) said["lamps"] = *light.lamps;
-  if (!said.empty()) json["light"] = said;
+  return said;
 }
+
+namespace {
 
 std::vector<std::string> read_style(const JsonReader& json) {
   std::vector<std::string> style;
@@ -187,14 +195,14 @@ void remark_on_finish(const JsonReader& json) {
 void read_look(const JsonReader& json, const FileWalls& walls, Room& room) {
   room.materials = read_materials(json["materials"], walls);
   drop_unknown_walls(json["materials"]["walls"], room);
-  room.light = read_light(json["light"]);
+  room.light = read_room_light(json["light"]);
   room.style = read_style(json["style"]);
   room.palette = read_palette(json["palette"]);
 }
 
 void add_look(Json& json, const Room& room) {
   add_materials(json, room.materials);
-  add_light(json, room.light);
+  if (Json light = light_json(room.light); !light.empty()) json["light"] = std::move(light);
   if (!room.style.empty()) json["style"] = room.style;
   if (!room.palette.empty()) json["palette"] = room.palette;
 }

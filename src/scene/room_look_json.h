@@ -16,6 +16,10 @@ namespace roomgen {
 void read_look(const JsonReader& json, const FileWalls& walls, Room& room);
 void add_look(Json& json, const Room& room);
 
+/// The members "hour", "sky", "level", "warmth" and "lamps", whatever else there is.
+Lighting read_light(const JsonReader& json);
+Json light_json(const Lighting& light);
+
 /// A wall by its number, "wall-2", a side of the compass or "accent" as WallCover names it, as the
 /// file counts; none, with a remark, if it is none of them.
 std::optional<std::string> read_wall(const JsonReader& json);

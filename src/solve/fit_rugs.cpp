@@ -59,7 +59,8 @@ class RugFitting {
     return parts_[key] = low_parts(thing, models_, height);
   }
 
-  // All that a rug may meet: things that stand on the floor or come down to it, and other rugs.
+  // All that a rug may meet: things that stand on the floor or come down to it, and rugs that are not
+  // under it.
   std::vector<LowThing> things_about(const Object& rug) {
     const Bounds2 near = footprint(rug).bounds();
     std::vector<LowThing> things;
@@ -67,7 +68,10 @@ class RugFitting {
       if (other.id == rug.id || other.mount == Mount::surface ||
           !footprint(other).bounds().overlaps(near, rug.size.head<2>().maxCoeff()))
         continue;
-      LowThing thing{&other, {footprint(other)}, false};
+      const Footprint lies = footprint(rug), own = footprint(other);
+      if (is_rug(other) && may_lie_over(lies, own)) continue;
+      LowThing thing{&other, {own}, is_rug(other) && may_lie_over(own, lies)};
+      if (thing.may_be_lifted) thing.parts = {core_of_rug(own)};
       if (!is_rug(other)) {
         thing.parts = parts_of(other, low_over(rug));
         thing.may_be_lifted = stands_on_floor(other) && !barred_.count({other.id, rug.id});
@@ -88,7 +92,8 @@ class RugFitting {
     const auto rug = std::find_if(objects_.begin(), objects_.end(),
                                   [&](const Object& object) { return object.id == id; });
     const RugWish wish = wish_of(id);
-    if (auto place = rug_place(*rug, wish, room_, objects_, things_about(*rug), kinds_)) {
+    auto place = rug_place(*rug, wish, room_, objects_, things_about(*rug), kinds_);
+    if (place && is_free_of_rugs(*place)) {
       *rug = *std::move(place);
     } else if (!wish.asked) {
       objects_.erase(rug);
@@ -96,6 +101,13 @@ class RugFitting {
         std::erase_if(other.relations, [&](const Relation& one) { return one.target == id; });
       fit_.left_out.push_back(id);
     }
+  }
+
+  bool is_free_of_rugs(const Object& rug) const {
+    return std::none_of(objects_.begin(), objects_.end(), [&](const Object& other) {
+      return other.id != rug.id && is_rug(other) &&
+             boxes_clash(rug, footprint(rug), bottom(rug), other, footprint(other));
+    });
   }
 
   RugStand stand(const Object& thing, const Object& rug) {
@@ -115,11 +127,12 @@ class RugFitting {
 
   void lift_all() {
     lifted_.clear();
+    pile_rugs(objects_);
     for (const auto& rug : objects_) {
       if (!is_rug(rug)) continue;
       for (const auto& thing : objects_)
         if (stands_on_floor(thing) && !barred_.count({thing.id, rug.id}) &&
-            stand(thing, rug) == RugStand::on)
+            stand(thing, rug) == RugStand::on && top(rug) > lifted_[thing.id].height)
           lifted_[thing.id] = {rug.id, top(rug)};
     }
     for (auto& object : objects_)
@@ -183,6 +196,27 @@ class RugFitting {
 };
 
 }  // namespace
+
+double height_of_rug(const Object& rug, std::span<const Object> objects) {
+  double height = 0.0;
+  for (const auto& other : objects)
+    if (other.id != rug.id && is_rug(other) && may_lie_over(footprint(rug), footprint(other)))
+      height = std::max(height, top(other));
+  return height;
+}
+
+void pile_rugs(std::span<Object> objects) {
+  std::vector<Object*> rugs;
+  for (auto& object : objects)
+    if (is_rug(object)) rugs.push_back(&object);
+  std::stable_sort(rugs.begin(), rugs.end(), [](const Object* a, const Object* b) {
+    return footprint(*a).area() > footprint(*b).area();
+  });
+  for (Object* rug : rugs) {
+    rug->position.z() = height_of_rug(*rug, objects);
+    *rug = with_rounded_pose(std::move(*rug));
+  }
+}
 
 double low_over(const Object& rug) { return rug.size.z() + over_rug; }
 

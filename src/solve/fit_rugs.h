@@ -32,6 +32,11 @@ enum class RugStand { beside, on, partly };
 double low_over(const Object& rug);
 RugStand stand_to_rug(const Object& thing, const Object& rug, const ModelTable& models);
 
+/// How high a rug lies: on what it lies over of these, or on the floor.
+double height_of_rug(const Object& rug, std::span<const Object> objects);
+/// Lays those of the rugs that lie over larger ones on top of them.
+void pile_rugs(std::span<Object> objects);
+
 /// Ends a furnished room: cuts and moves the rugs, as little as can be, so that all that stands on the floor
 /// is on a rug with all its feet or with none; lifts what is on one to its top, with all that it carries;
 /// takes rugs out that cannot lie so. Rugs that are locked stay as they are, and what is partly on one stays

@@ -285,8 +285,8 @@ Layout::Verdict Layout::all_are_usable_with(const Footprint& newcomer, bool even
 // newcomer that is useless itself, those in its zones could.
 Layout::Verdict Layout::blame(std::size_t useless) const {
   const std::size_t newcomer = things_.size() - 1;
-  if (useless != newcomer) return {false, {useless}};
-  Verdict verdict{false};
+  if (useless != newcomer) return {false, {useless}, useless};
+  Verdict verdict{false, {}, useless};
   const FloorThing& own = things_.back();
   for (std::size_t i = 0; i < newcomer; ++i) {
     const auto stands_in = [&](const UseZone& zone) {

@@ -102,6 +102,8 @@ class Layout {
     /// If not, some of things() one of which would have to stand elsewhere; none if that is not
     /// clear.
     std::vector<std::size_t> blamed = {};
+    /// The one of things() that nobody could use; as large as their number: the newcomer.
+    std::optional<std::size_t> useless = {};
 
     explicit operator bool() const { return fits; }
   };

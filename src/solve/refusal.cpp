@@ -63,6 +63,18 @@ std::string mostly_blocked_by(const Layout& layout, const Layout::Candidate& can
   return join(names, ", ");
 }
 
+// What it would do, or suffer, at the suggested place, where the cheap tests pass.
+std::string misfit_at(Layout& layout, const PlacementTask& task, const Vec2& location) {
+  Layout::Candidate candidate = layout.candidate(task);
+  for (const double yaw : meant_yaws(layout, task.facing)) {
+    candidate.object = at_pose(task.object, {location, task.object.position.z(), yaw});
+    if (!layout.fits(candidate, footprint(candidate.object), bottom(candidate.object))) continue;
+    if (const auto verdict = layout.fits_exactly(candidate); !verdict)
+      return "; at the suggested place " + misfit(layout, task.object, verdict);
+  }
+  return "";
+}
+
 // Why nothing more goes onto a thing.
 Error refusal_on(const Layout& layout, const Object& object) {
   std::string why = "no place for " + object.id + " (" + size_text(object.size) + " m) on ";
@@ -90,6 +102,20 @@ Error refusal_on(const Layout& layout, const Object& object) {
 
 }  // namespace
 
+std::string misfit(const Layout& layout, const Object& object, const Layout::Verdict& verdict) {
+  const auto things = layout.things();
+  std::vector<std::string> ids;
+  for (const std::size_t i : verdict.blamed)
+    if (i < things.size()) ids.push_back(things[i].object->id);
+  if (verdict.useless && *verdict.useless < things.size())
+    return things[*verdict.useless].object->id + " could not be used or reached any more";
+  if (verdict.useless)
+    return object.id + " could not be used or reached" +
+           (ids.empty() ? "" : ", for " + join(ids, ", ") + " would stand before it");
+  if (!ids.empty()) return object.id + " would touch " + join(ids, ", ");
+  return "nobody could walk from door to door";
+}
+
 std::vector<double> meant_yaws(const Layout& layout, const std::optional<double>& suggested) {
   if (suggested) return {*suggested};
   const auto walls = layout.wall_yaws();
@@ -110,7 +136,7 @@ std::vector<std::string> in_the_way(const Layout& layout, const Object& standing
   return ids;
 }
 
-Error refusal(const Layout& layout, const PlacementTask& task, const Layout::Candidate& candidate,
+Error refusal(Layout& layout, const PlacementTask& task, const Layout::Candidate& candidate,
               int candidates, int feasible) {
   if (task.object.mount == Mount::surface) return refusal_on(layout, task.object);
   std::string why = "no place for " + task.object.id + " (" + size_text(task.object.size) + " m): ";
@@ -127,7 +153,7 @@ Error refusal(const Layout& layout, const PlacementTask& task, const Layout::Can
   }
   const std::string blockers = blocked_by(layout, task, *task.location);
   if (!blockers.empty()) why += "; in the way at the suggested place: " + blockers;
-  return {Error::Kind::not_found, why};
+  return {Error::Kind::not_found, why + misfit_at(layout, task, *task.location)};
 }
 
 bool needs_way_in(const Layout& layout, const PlacementTask& task) {

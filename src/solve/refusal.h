@@ -8,8 +8,11 @@ namespace roomgen {
 
 /// Why an object found no place among so many candidates, of which so many passed the cheap tests; for
 /// people and for a model that shall answer again.
-Error refusal(const Layout& layout, const PlacementTask& task, const Layout::Candidate& candidate,
+Error refusal(Layout& layout, const PlacementTask& task, const Layout::Candidate& candidate,
               int candidates, int feasible);
+
+/// What a verdict on an object says, by name: "desk-0 could not be used, for it stands before it".
+std::string misfit(const Layout& layout, const Object& object, const Layout::Verdict& verdict);
 
 /// The ways in which a thing may have been meant to be turned: as was suggested, else along any wall.
 std::vector<double> meant_yaws(const Layout& layout, const std::optional<double>& suggested);

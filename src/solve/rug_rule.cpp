@@ -1,6 +1,7 @@
 #include "rug_rule.h"
 
 #include "collision/low_parts.h"
+#include "collision/solids.h"
 #include "rug_place.h"
 
 namespace roomgen {
@@ -28,10 +29,16 @@ RugRule::RugRule(std::span<const Object> objects, const ModelTable& models) {
     if (!rug.traits.flat || rug.mount != Mount::floor) continue;
     for (std::size_t i = 0; i < objects.size(); ++i) {
       const Object& thing = objects[i];
-      if (thing.traits.flat || thing.mount != Mount::floor) continue;
-      const RugStand stand = stand_to_rug(thing, rug, models);
-      if (stand != RugStand::partly)
-        stands_[{i, r}] = {stand, in_frame_of(thing, low_parts(thing, models, low_over(rug)))};
+      if (i == r || thing.mount != Mount::floor) continue;
+      const Footprint own = footprint(thing);
+      const bool lies_over = thing.traits.flat && may_lie_over(own, footprint(rug));
+      const RugStand stand = lies_over           ? RugStand::on
+                             : thing.traits.flat ? stand_of({&own, 1}, footprint(rug))
+                                                 : stand_to_rug(thing, rug, models);
+      const auto parts = lies_over           ? std::vector{core_of_rug(own)}
+                         : thing.traits.flat ? std::vector{own}
+                                             : low_parts(thing, models, low_over(rug));
+      if (stand != RugStand::partly) stands_[{i, r}] = {stand, in_frame_of(thing, parts)};
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "arrange.h"
+#include "fit_rugs.h"
 #include "improve.h"
 #include "place.h"
 #include "scene/judgement.h"
@@ -28,6 +29,7 @@ Scene scene_of(const Problem& problem, const Layout& layout,
            reason == reasons.end() ? "stopped before it was tried" : reason->second});
     }
   }
+  pile_rugs(scene.objects);
   scene.incomplete = options.cancel.cancelled();
   return scene;
 }

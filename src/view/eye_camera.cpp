@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace roomgen::detail {
 
@@ -40,6 +41,25 @@ std::vector<Footprint> low_things(const Scene& scene, double height) {
   return result;
 }
 
+// What the room is about: what takes most floor together with what stands to it.
+const Object* main_thing(const Scene& scene) {
+  std::map<std::string_view, double> worth;
+  std::map<std::string_view, std::string_view> leaders;  // the first of each group
+  for (const auto& object : scene.objects) {
+    if (object.traits.flat || object.mount == Mount::surface) continue;
+    const double area = footprint(object).area();
+    worth[object.id] += area;
+    if (!object.group.empty())
+      worth[leaders.try_emplace(object.group, object.id).first->second] += 0.5 * area;
+    for (const auto& relation : object.relations)
+      if (relation.kind != RelationKind::far) worth[relation.target] += 0.25 * area;
+  }
+  const Object* best = nullptr;
+  for (const auto& object : scene.objects)
+    if (worth.count(object.id) && (!best || worth[object.id] > worth[best->id])) best = &object;
+  return best;
+}
+
 class Watcher {
  public:
   explicit Watcher(const Scene& scene)
@@ -47,6 +67,7 @@ class Watcher {
         height_(eye_height(scene.room)),
         obstacles_(obstacles(scene, height_)),
         low_things_(low_things(scene, height_)),
+        main_(main_thing(scene)),
         reach_(bounds(scene.room.polygon).size().norm() + 1.0) {}
 
   Standpoint best() const {
@@ -150,7 +171,7 @@ class Watcher {
     for (int i = 0; i < eye_directions; ++i) {
       const Vec2 towards = rotated(Vec2::UnitY(), 2.0 * pi * i / eye_directions);
       const double worth = (seen_floor(place, towards) + 1.5 * seen_things(place, towards)) *
-                           airiness(place, towards);
+                           airiness(place, towards) * (0.5 + attention(place, towards));
       if (worth > best.worth + 1e-9) best = {towards, worth};
     }
     return best;
@@ -180,27 +201,41 @@ class Watcher {
     return 0.3 + 0.7 * sum / few_rays;
   }
 
+  // How well a thing is seen within so much of the picture: 0 not at all, 1 from its front.
+  double seen(const Object& object, const Vec2& place, const Vec2& towards, double share) const {
+    const Vec2 way = object.position.head<2>() - place;
+    const double distance = way.norm();
+    if (distance < 0.3 || std::acos(std::clamp(way.dot(towards) / distance, -1.0, 1.0)) >
+                              0.5 * share * eye_view_angle)
+      return 0.0;
+    if (sight(place, way / distance) < distance - 0.5 * object.size.head<2>().norm()) return 0.0;
+    const double front =
+        object.traits.front ? -front_direction(object.yaw).dot(way / distance) : 0.5;
+    return 0.5 + 0.5 * std::max(0.0, front);
+  }
+
   // By their size, and more if they show their fronts.
   double seen_things(const Vec2& place, const Vec2& towards) const {
     double sum = 0.0;
-    for (const auto& object : scene_.objects) {
-      if (object.traits.flat) continue;
-      const Vec2 way = object.position.head<2>() - place;
-      const double distance = way.norm();
-      if (distance < 0.3 ||
-          std::acos(std::clamp(way.dot(towards) / distance, -1.0, 1.0)) > 0.42 * eye_view_angle)
-        continue;
-      if (sight(place, way / distance) < distance - 0.5 * object.size.head<2>().norm()) continue;
-      const double front =
-          object.traits.front ? -front_direction(object.yaw).dot(way / distance) : 0.5;
-      sum += object.size.x() * std::min(object.size.z(), 2.0) * (0.5 + 0.5 * std::max(0.0, front));
-    }
+    for (const auto& object : scene_.objects)
+      if (!object.traits.flat)
+        sum += object.size.x() * std::min(object.size.z(), 2.0) * seen(object, place, towards, 0.84);
     return sum;
+  }
+
+  // What the room is about is in the midst of the picture, whole, and seen from where people use it.
+  double attention(const Vec2& place, const Vec2& towards) const {
+    constexpr double whole = 1.2;  // of its length, from which it does not fill the picture
+    if (!main_) return 0.0;
+    const double distance = (main_->position.head<2>() - place).norm();
+    const double is_whole = std::min(1.0, distance / (whole * main_->size.head<2>().maxCoeff()));
+    return is_whole * seen(*main_, place, towards, 0.6);
   }
 
   const Scene& scene_;
   double height_;
   std::vector<Footprint> obstacles_, low_things_;
+  const Object* main_;
   double reach_;
 };
 

@@ -57,7 +57,7 @@ double cost(const std::vector<ObjectMark>& marks, std::size_t own, const Vec2& c
     total += 1.5 * size.y();
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const bool has_front = marks[i].arrow_end != marks[i].arrow_start;
-    if (has_front && box_covers_arrow(marks[i], center, size)) total += i == own ? 20.0 : 30.0;
+    if (has_front && box_covers_arrow(marks[i], center, size)) total += i == own ? 45.0 : 60.0;
     if (i == own) continue;
     if (distance_to_box(marks[i].center, center, size) <= 0.0)
       total += (hides(marks[i], center, size) ? 4.0 : 2.0) * size.y();

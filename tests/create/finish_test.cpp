@@ -146,3 +146,26 @@ TEST_CASE("A library gives its things the looks that were asked for, and makes t
   CHECK_FALSE(asked.empty());
   CHECK(library->search(query)->front().asset.ref.finish == asked);
 }
+
+TEST_CASE("Worked stuffs have the tone that the words say, on things and on walls") {
+  const auto light = [](const Tone& tone) { return tone.mean(); };
+  const auto redness = [](const Tone& tone) { return tone.x() - 0.5f * (tone.y() + tone.z()); };
+  const auto on_wall = [](const std::string& words) {
+    const auto plain = make_finish(words, RoomPart::walls, "living room").plain;
+    return Tone(255.0f * plain[0], 255.0f * plain[1], 255.0f * plain[2]);
+  };
+  for (const char* stuff : {"brick", "ash", "oak", "stone", "pine"}) {
+    const std::string plain = stuff;
+    INFO(plain);
+    for (const char* work : {"whitewashed ", "limed ", "bleached "}) {
+      CHECK(light(*read_look(work + plain).tone()) > light(*read_look(plain).tone()));
+      CHECK(light(on_wall(work + plain)) > light(on_wall(plain)));
+    }
+    for (const char* way : {"raw ", "rough ", "bare "}) {
+      CHECK(*read_look(way + plain).tone() == *read_look(plain).tone());
+      CHECK(on_wall(way + plain) == on_wall(plain));
+    }
+    CHECK(redness(*read_look("rough grey " + plain).tone()) < 15);
+    CHECK_FALSE(wanted_finish("rough grey " + plain, "coffee table").empty());
+  }
+}

@@ -368,3 +368,38 @@ TEST_CASE("Small things of one carrier are asked for at once") {
   CHECK(advice->consultation.calls == 0);
   CHECK(talk.script->questions.size() == 1);
 }
+
+TEST_CASE("Small things that get no places stand in a row along what carries them, as answered") {
+  Conversation talk({reply_saying(R"({"constraints": "on, desk-0", "others": [)"
+                                  R"({"id": "cup-3", "constraints": "on, desk-0", "location": []},)"
+                                  R"({"id": "cup-1", "constraints": "on, desk-0", "location": [2.6, 2.7]},)"
+                                  R"({"id": "cup-2", "constraints": "on, desk-0"}]})")});
+  PlanItem cup;
+  cup.category = "cup";
+  cup.mount = Mount::surface;
+  cup.on = "desk-0";
+  cup.quantity = 4;
+  talk.plan.items = {cup};
+  std::map<std::string, PlaceAdvice> answers;
+  for (int number = 0; number < 4; ++number) {
+    Object object = rooms::thing("cup-" + std::to_string(number), "cup", {0.1, 0.1, 0.1});
+    object.mount = Mount::surface;
+    const PlannedObject planned{object.id, 0, number};
+    PlaceRequest request{talk.plan, talk.scene, planned, object};
+    request.later = {"cup-1", "cup-2", "cup-3"};
+    const auto advice = talk.designer->place(request);
+    REQUIRE(advice);
+    REQUIRE(advice->location);
+    answers[object.id] = *advice;
+  }
+  CHECK(talk.script->questions.size() == 1);
+  CHECK_FALSE(answers["cup-1"].spread);
+  double before = 2.0 - 0.7;  // the desk's left end
+  for (const char* id : {"cup-0", "cup-3", "cup-2"}) {
+    INFO(id);
+    CHECK(answers[id].spread);
+    CHECK(answers[id].location->x() - before == Approx(id == std::string("cup-0") ? 1.4 / 6 : 1.4 / 3));
+    CHECK(answers[id].location->y() == Approx(2.6));
+    before = answers[id].location->x();
+  }
+}

@@ -31,7 +31,12 @@ def place(location, facing, constraints="edge"):
 
 SPOTS = {"desk-0": place([2.0, 3.2], 0), "bookshelf-0": place([0.2, 1.8], 90), "bookshelf-1": place([0.2, 2.7], 90)}
 REVIEWS = [
-    {"judgement": "too pale", "operations": [{"do": "cover", "part": "walls", "looks": "sage green"}, {"do": "remove", "objects": ["sofa-7"]}]},
+    {"judgement": "too pale", "operations": [
+        {"do": "cover", "part": "walls", "looks": "sage green"}, {"do": "remove", "objects": ["sofa-7"]},
+        {"do": "light", "hour": 20, "level": "dim"},
+        {"do": "remove", "objects": ["bookshelf-1"]}, {"do": "add", "category": "bookshelf", "description": "oak bookshelf"},
+        {"do": "add", "category": "side table", "as": "new table", "size": [0.5, 0.5, 0.55]},
+        {"do": "add", "category": "vase", "relations": ["on, new table"]}]},
     {"judgement": "good", "operations": []},
 ]  # fmt: skip
 
@@ -60,11 +65,18 @@ def main():
     assert names == ["plan", "placement", "review", "review"], names
     scene = json.loads((folder / "scene.json").read_text())
     at = {o["id"]: o["position"] for o in scene["objects"]}
-    for identifier, spot in SPOTS.items():
+    for identifier, spot in list(SPOTS.items())[:2]:
         off = max(abs(a - b) for a, b in zip(at[identifier], spot["location"]))
         assert off < 0.1, f"{identifier} stands {off} m from where it was put"
     assert "sage green" in json.dumps(scene["room"]["materials"]["walls"])
     assert "sofa-7" in ASKED[-1][1], "what could not be done is not told"
+    table = next(o for o in scene["objects"] if o["category"] == "side table")
+    assert max(abs(a - b) for a, b in zip(table["size"], [0.5, 0.5, 0.55])) < 0.03, table["size"]
+    assert any(o["category"] == "vase" and o["on"] == table["id"] for o in scene["objects"]), "a new thing has no name"
+    assert table["id"] in ASKED[-1][1] and "has changed" in ASKED[-1][1], "what was done is not told"
+    assert scene["room"]["light"] == {"hour": 20, "level": 50}, scene["room"]["light"]
+    verdicts = {r["clause"]: r["verdict"] for r in scene["requirements"] if "bookshel" in r["clause"]}
+    assert set(verdicts.values()) == {"met"}, verdicts
     lines = [json.loads(line) for line in (folder / "trace.jsonl").read_text().splitlines()]
     rounds = [line for line in lines if "review" in line]
     assert [r["judgement"] for r in rounds] == ["too pale", "good"]

@@ -302,6 +302,57 @@ TEST_CASE("The ledger follows an edit") {
   CHECK(last.met());
 }
 
+TEST_CASE("What went and comes again is asked for as before") {
+  const TemporaryFolder folder;
+  for (const bool both : {true, false}) {
+    auto session = open_with(folder, furnished("a living room with a sofa and two armchairs", 2));
+    const auto before = session.scene().requirements;
+    const auto apply = [&](const edit::Operation& operation) { REQUIRE(session.apply({&operation, 1})); };
+    apply(both ? edit::Remove{{"armchair-0", "armchair-1"}} : edit::Remove{{"armchair-1"}});
+    apply(edit::Add{"armchair", "armchair", {}, both ? 2 : 1});
+    for (const auto& old : before)
+      for (const auto& now : session.scene().requirements)
+        if (now.requirement.id == old.requirement.id) {
+          INFO(old.requirement.clause);
+          CHECK(now.compliance == old.compliance);
+        }
+    session.undo(2);
+    CHECK(session.scene().requirements.size() == before.size());
+    std::filesystem::remove(folder / "scene.journal");
+  }
+}
+
+TEST_CASE("The light of a room is what was said last, the rest as before") {
+  const TemporaryFolder folder;
+  auto session = open_with(folder, furnished("a bedroom with a bed and a table lamp", 1));
+  const auto asked = [&](const char* text) {
+    const auto read = edit::operations_from_json(*parse_json(text, "op"), "op");
+    return read ? session.apply(*read) : Result<EditReport>(read.error());
+  };
+  REQUIRE(asked(R"({"do": "light", "hour": 20.5, "level": "dim", "lamps": ["table lamp"]})"));
+  const auto report = asked(R"({"do": "light", "warmth": 2400})");
+  REQUIRE(report);
+  CHECK(report->changes.size() == 1);
+  const Lighting& light = session.scene().room.light;
+  CHECK(light.hour == 20.5);
+  CHECK(light.kelvin == 2400.0);
+  CHECK(light.lux < 100.0);
+  REQUIRE(light.lamps);
+  CHECK(light.lamps->front() == "table lamp");
+  for (const char* wrong : {R"({"do": "light"})", R"({"do": "light", "level": "blinding"})", R"({"do": "light", "hour": 25})",
+                            R"({"do": "light", "lamps": ["sun-7"]})"})
+    CHECK_FALSE(asked(wrong));
+  CHECK(session.scene().room.light == light);
+  for (const char* looks : {"navy", "sage green"}) {
+    const auto covered = asked((R"({"do": "cover", "part": "wall-2", "looks": ")" + std::string(looks) + "\"}").c_str());
+    REQUIRE(covered);
+    CHECK(covered->changes.front().find(looks) != std::string::npos);
+    CHECK(cover_of(session.scene().room, 2).finish == std::string(looks) + " wall");
+  }
+  CHECK(cover_of(session.scene().room, 1).finish.find("green") == std::string::npos);
+  CHECK_FALSE(asked(R"({"do": "cover", "part": "wall-9", "looks": "navy"})"));
+}
+
 TEST_CASE("A preview says what a pose would mean and changes nothing") {
   const TemporaryFolder folder;
   auto session = open_with(folder, furnished("a bedroom with a bed and a desk", 1));

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "catch.h"
+#include "roomgen/base/text.h"
 #include "roomgen/create/create.h"
 #include "roomgen/generate/generate.h"
 #include "small_plans.h"
@@ -43,9 +44,25 @@ PlaceAdvice said(const std::string& constraints, const Vec2& location, double de
   return advice;
 }
 
-Generation furnished(const Plan& plan, Speaker& designer, BuildOptions options = {}) {
-  const auto library = create::make_created_library();
-  auto generation = generate(plan, designer, *library, KindTable::built_in(), options);
+/// Has things of their usual size alone.
+class UsualSizes final : public AssetLibrary {
+ public:
+  Result<std::vector<AssetMatch>> search(const AssetQuery& query) const override {
+    AssetQuery usual = query;
+    usual.size = KindTable::built_in().get(query.category).size;
+    return made_->search(usual);
+  }
+  Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {
+    return made_->load(ref);
+  }
+
+ private:
+  std::unique_ptr<AssetLibrary> made_ = create::make_created_library();
+};
+
+Generation furnished(const Plan& plan, Speaker& designer, BuildOptions options = {},
+                     const AssetLibrary& library = *create::make_created_library()) {
+  auto generation = generate(plan, designer, library, KindTable::built_in(), options);
   REQUIRE(generation);
   return *std::move(generation);
 }
@@ -59,6 +76,11 @@ const Object& object(const Generation& generation, const std::string& id) {
 
 double off(const Object& placed, const Vec2& location) {
   return (placed.position.head<2>() - location).norm();
+}
+
+// As in questions.
+std::string design_size(const Object& one) {
+  return format_number(one.size.x(), 2) + " x " + format_number(one.size.y(), 2);
 }
 
 double turned(const Object& placed, double degrees_) {
@@ -144,4 +166,65 @@ TEST_CASE("Without improvement and repair nothing that stands moves") {
                 designer, options);
   CHECK(room.moved.empty());
   for (const auto& step : room.trace) CHECK(step.moved.empty());
+}
+
+TEST_CASE("A rug lies where a designer put it, and what must change is told in the next question") {
+  Plan plan = plan_of({item("rug"), item("table"), item("vase", Mount::surface)}, room_with_door(5, 5));
+  plan.items[0].size = Vec3(2.0, 1.4, 0.02);
+  plan.items[2].on = "table-0";
+  for (const double across : {0.0, 0.9}) {  // beyond its edge
+    std::vector<std::string> told;
+    Speaker designer([&](const PlaceRequest& request) {
+      if (request.elsewhere) told = request.elsewhere();
+      if (request.object.id == "rug-0") return said("middle", {2.6, 3.0}, 0);
+      if (request.object.id == "vase-0") return said("on, table-0", {2.6 + across, 3.0}, 0);
+      return said("middle", {2.6 + across, 3.0}, 0);
+    });
+    plan.items[1].size = Vec3(0.9, 0.6, 0.5);
+    const auto room = furnished(plan, designer);
+    const Object& rug = object(room, "rug-0");
+    const bool is_as_said = off(rug, {2.6, 3.0}) < 0.01 && (rug.size - Vec3(2.0, 1.4, 0.02)).norm() < 0.01;
+    CHECK(is_as_said == (across == 0.0));
+    CHECK(told.empty() == is_as_said);
+    bool is_noted = false;
+    for (const auto& note : room.notes) is_noted |= contains_text(note, "so that nothing stands on its edge");
+    CHECK(is_noted == !is_as_said);
+    if (!is_as_said) CHECK(contains_text(told.front(), design_size(rug)));
+    CHECK(room.suggestions.within[0] == (is_as_said || off(rug, {2.6, 3.0}) < 0.25 ? 3 : 2));
+  }
+}
+
+TEST_CASE("A size that came out otherwise than a designer asked is told in the next question and in the end") {
+  const std::vector<std::string> kinds = {"sofa", "armchair", "coffee table", "bookshelf", "stool"};
+  int others = 0;
+  for (const double factor : {0.7, 1.0, 1.4}) {
+    std::vector<PlanItem> items;
+    for (const auto& kind : kinds) {
+      items.push_back(item(kind));
+      items.back().size = factor * KindTable::built_in().get(kind).size;
+    }
+    const Plan plan = plan_of(items, room_with_door(7, 7));
+    std::vector<std::string> told;
+    Speaker designer([&](const PlaceRequest& request) {
+      for (const auto& one : request.elsewhere()) told.push_back(one);
+      return said("edge", {3.0, 3.0}, 0);
+    });
+    const auto room = furnished(plan, designer, {}, UsualSizes());
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+      const Object* placed = find_object(room.scene, kinds[i] + "-0");
+      if (!placed) continue;
+      const Vec3 off = placed->size.cwiseQuotient(*items[i].size);
+      const bool is_other = off.maxCoeff() > 1.05 || off.minCoeff() < 1 / 1.05;
+      others += is_other;
+      const auto says = [&](const std::vector<std::string>& texts) {
+        return std::count_if(texts.begin(), texts.end(), [&](const std::string& text) {
+          return contains_text(text, kinds[i] + "-0 is ") && contains_text(text, " m, not ");
+        });
+      };
+      INFO(kinds[i] << " " << factor);
+      CHECK(says(room.notes) == (is_other ? 1 : 0));
+      if (i + 1 < kinds.size()) CHECK((says(told) > 0) == is_other);
+    }
+  }
+  CHECK(others > 0);
 }

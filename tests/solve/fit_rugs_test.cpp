@@ -183,3 +183,20 @@ TEST_CASE("A locked rug stays, and what is wholly on it stands at its top") {
   CHECK(objects[0].position.z() == Approx(0.02));
   CHECK(objects[1].position.z() == 0.0);
 }
+
+TEST_CASE("Small rugs lie on larger ones, and what stands there is as high as both") {
+  Object small = rug({1.2, 1.2}, {3, 3});
+  small.id = "rug-1";
+  Object large = rug({3, 3}, {3, 3});
+  std::vector<Object> objects = {small, large, table("table-0", {3, 3}), table("table-1", {3, 4.2})};
+  objects[3].size = {0.5, 0.5, 0.4};
+  CHECK(fit(rooms::box(6, 6), objects).uneven.empty());
+  CHECK(objects[0].position == Vec3(3, 3, 0.02));
+  CHECK(objects[1].position == Vec3(3, 3, 0));
+  CHECK(objects[2].position.z() == Approx(0.04));
+  CHECK(objects[3].position.z() == Approx(0.02));
+  CHECK(may_lie_over(footprint(small), footprint(large)));
+  CHECK_FALSE(may_lie_over(footprint(large), footprint(small)));
+  small.position.x() += 1.4;  // more than a little beyond its edge
+  CHECK(boxes_clash(small, footprint(small), 0, large, footprint(large)));
+}

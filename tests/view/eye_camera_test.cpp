@@ -101,3 +101,28 @@ TEST_CASE("what stands in a corner sends the eye elsewhere") {
   scene.objects = {test::box("wardrobe-0", {0.9, 0.9, 2.1}, place)};
   CHECK(free_space(scene, *camera_of(scene).eye) >= eye_clearance - 1e-9);
 }
+
+TEST_CASE("what the room is about is in the midst of the picture, and shows its front") {
+  for (std::size_t wall = 0; wall < 4; ++wall)
+    for (const double along : {0.35, 0.65}) {
+      Scene scene;
+      scene.room = test::plain_room();
+      scene.room.polygon.points = {{0, 0}, {5, 0}, {5, 4.5}, {0, 4.5}};
+      const Polygon& polygon = scene.room.polygon;
+      const Segment line = polygon.edge(wall);
+      const Vec2 in = polygon.inward(wall), at = line.a + along * (line.b - line.a);
+      Object bed = test::box("bed-0", {1.4, 2.0, 0.5}, Vec3::Zero());
+      bed.traits.front = true;
+      bed.yaw = yaw_facing(in);
+      bed.position.head<2>() = at + 1.0 * in;
+      const Vec2 far = line.b - 0.5 * (line.b - line.a).normalized() + 0.3 * in;
+      Object wardrobe = test::box("wardrobe-0", {0.8, 0.6, 2.2}, Vec3(far.x(), far.y(), 0.0));
+      wardrobe.yaw = bed.yaw;
+      scene.objects = {wardrobe, bed};
+      const Camera camera = camera_of(scene);
+      const Vec2 way = (bed.position - *camera.eye).head<2>().normalized();
+      INFO("wall " << wall << ", " << along);
+      CHECK(std::acos(-way.dot(camera.backward.head<2>())) < 0.3 * eye_view_angle);
+      CHECK(way.dot(front_direction(bed.yaw)) < 0.0);
+    }
+}

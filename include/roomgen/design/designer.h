@@ -126,6 +126,7 @@ struct PlaceAdvice {
   std::vector<std::string> lost = {};  ///< what the designer said and could not be understood
   std::string next = {};         ///< which of PlaceRequest::later shall come next; empty: the first
   std::string leave_out = {};    ///< why it shall not be there after all; empty: it shall
+  bool spread = false;  ///< nobody said the location: it is one of a row along what carries it
   std::optional<double> bottom = {};     ///< of what hangs: of its lower edge, metres from the floor
   std::optional<Vec3> size = {};         ///< another one than planned, metres
   std::vector<WantedMove> moves = {};    ///< first of all

@@ -9,6 +9,7 @@
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/vec.h"
 #include "roomgen/scene/relation.h"
+#include "roomgen/scene/room.h"
 
 /// Changes of a finished room, as values. Objects are named by their ids. Metres and radians; in JSON
 /// (docs/operation.schema.json) metres and degrees.
@@ -130,6 +131,14 @@ struct Cover {
   bool operator==(const Cover&) const = default;
 };
 
+/// In what light a room shall be seen; what is not said stays.
+struct Light {
+  Lighting light;
+  std::string room = {};  ///< of a dwelling
+
+  bool operator==(const Light&) const = default;
+};
+
 /// Things are set out anew among all else, so that the same relations hold: "re-lay the seating corner". One
 /// thing alone stands for its group.
 struct Rearrange {
@@ -205,8 +214,8 @@ struct Revert {
 };
 
 using Operation =
-    std::variant<Add, Remove, Move, Put, Shift, Turn, Face, Swap, Replace, Resize, Recolor, Lock, Cover, Rearrange,
-                 Arrange, Reform, Reshape, Open, Refit, Close, Revert>;
+    std::variant<Add, Remove, Move, Put, Shift, Turn, Face, Swap, Replace, Resize, Recolor, Lock, Cover, Light,
+                 Rearrange, Arrange, Reform, Reshape, Open, Refit, Close, Revert>;
 
 /// {"do": "move", "object": "lamp-0", "relations": ["next to, bed-0"]}
 Json to_json(const Operation& operation);

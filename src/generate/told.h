@@ -1,0 +1,23 @@
+#pragma once
+
+#include "workplace.h"
+
+namespace roomgen {
+
+const Step* step_of(const BuildState& state, const std::string& id);
+
+/// Is its place one that nobody said?
+bool is_in_row(const Step* step);
+
+/// Did a designer, not rules, say where the thing goes, or where its group does? `now`: the step at work.
+bool is_said(const BuildState& state, const std::string& id, const Step* now = nullptr);
+
+/// In which length a thing is otherwise than was asked, where its asset could not be so; else empty.
+/// What a designer asked for is told sooner than what rules did.
+std::string other_size(const Workplace& place, const BuildState& state,
+                       const PlannedObject& planned, const Object& placed);
+
+/// What stands, or is, otherwise than a designer said, or what it cannot know, for its next question.
+std::vector<std::string> told_of(const Work& work);
+
+}  // namespace roomgen
