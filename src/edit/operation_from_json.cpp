@@ -40,9 +40,9 @@ std::vector<std::string> ids_of(const JsonReader& json) {
 std::vector<Relation> relations_of(const JsonReader& json) {
   std::vector<Relation> relations;
   for (const auto& element : json.elements_or_none(20)) {
-    const auto relation = parse_relation(element.text(500));
-    if (relation) relations.push_back(*relation);
-    else element.report(relation.error().message);
+    const auto one_or_more = parse_relations(element.text(500));
+    if (!one_or_more) element.report(one_or_more.error().message);
+    else relations.insert(relations.end(), one_or_more->begin(), one_or_more->end());
   }
   return relations;
 }

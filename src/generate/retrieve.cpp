@@ -42,14 +42,18 @@ void shuffle_top(std::vector<AssetMatch>& matches, Random random, const PlanItem
   std::copy(top.begin(), top.end(), matches.begin());
 }
 
-// By its key. Of things that vary the first one takes it.
+// By its key. Of things that vary the first one takes it, and all what was written for them alone.
 std::optional<AssetInfo> chosen_for(const AssetSearch& search, const Favourites& favourites,
                                     const PlanItem& item, const PlannedObject& planned) {
-  if (item.asset.empty() || (item.varied && planned.number > 0)) return std::nullopt;
+  if (item.asset.empty()) return std::nullopt;
+  std::optional<AssetInfo> chosen;
   if (const auto known = favourites.find(item.asset); known != favourites.end())
-    return known->second;
-  auto asset = search.library.find(item.asset);
-  return asset ? std::optional(*std::move(asset)) : std::nullopt;
+    chosen = known->second;
+  else if (auto asset = search.library.find(item.asset))
+    chosen = *std::move(asset);
+  const bool is_written = chosen && chosen->ref.procedural && chosen->ref.procedural->recipe == "program";
+  if (item.varied && planned.number > 0 && !is_written) return std::nullopt;
+  return chosen;
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ FORM = {
         thing("chair", 2, ["Stühlen"], count_words=["zwei"], looks=[{"look": "red", "words": ["roten"]}],
               relations=[{"relation": "around", "to": "table", "m": 0, "bound": "exact", "denied": False, "each": 0, "words": ["am Tisch"]}]),
         thing("table", 1, ["Tisch"])],
-    "absences": [], "limits": [], "talk": [{"as": "talk", "words": ["Ein", "mit", "bitte"]}], "rooms": [],
+    "absences": [], "limits": [], "remarks": [], "talk": [{"as": "talk", "words": ["Ein", "mit", "bitte"]}], "rooms": [],
 }  # fmt: skip
 
 

@@ -391,6 +391,10 @@ TEST_CASE("Operations survive JSON, and what is none is told with its place") {
     REQUIRE(again);
     CHECK(edit::to_json(*again) == edit::to_json(operation));
   }
+  const auto joined = edit::operation_from_json(
+      *parse_json(R"({"do": "move", "object": "a", "relations": ["edge | near, b"]})", "op"), "op");
+  REQUIRE(joined);
+  CHECK(edit::to_json(*joined)["relations"] == Json({"edge", "near, b"}));
   for (const char* text : {R"({"do": "fly"})", R"({"do": "move", "object": 7, "relations": []})", R"([])", R"(3)",
                            R"({"do": "resize", "object": "a", "size": [1, -1, 1]})",
                            R"({"do": "add", "category": "chair", "count": 100000})", R"({"do": "lock", "objects": []})",
