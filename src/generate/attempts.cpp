@@ -53,6 +53,7 @@ Result<Attempt> second_answer(Work& work, const AssetInfo& asset, Trial& trial,
   if (!advice) return advice.error();
   if (advice->consultation.fell_back)
     return Error{Error::Kind::invalid_input, "the model had no second answer"};
+  move_standing(work, advice->moves);
   return try_to_place(work, trial.planned, asset, *advice, trial.earlier.refusals.size(), *task);
 }
 

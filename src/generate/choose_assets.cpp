@@ -65,7 +65,10 @@ class Chooser {
         give(offers_[i], choices_[i], *made[i].asset, told);
       }
     }
-    for (const auto& note : told.notes) place_.plan.notes.push_back(note);
+    for (const auto& note : told.notes) {
+      place_.plan.notes.push_back(note);
+      if (!place_.choices.empty()) place_.choices.back().notes.push_back(note);
+    }
   }
 
  private:

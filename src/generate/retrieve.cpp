@@ -80,7 +80,7 @@ Result<std::vector<AssetInfo>> retrieve(const AssetSearch& search, const Favouri
   std::vector<AssetInfo> result;
   if (auto chosen = chosen_for(search, favourites, item, planned)) {
     chosen->mount = query.mount.value_or(chosen->mount);
-    result.push_back(*std::move(chosen));
+    return std::vector<AssetInfo>{*std::move(chosen)};  // nothing takes its place unasked
   } else if (const AssetInfo* known = favourite(favourites, item)) {
     result.push_back(*known);
   }

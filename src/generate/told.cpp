@@ -96,6 +96,8 @@ std::string other_size(const Workplace& place, const BuildState& state,
 
 std::vector<std::string> told_of(const Work& work) {
   std::vector<std::string> told;
+  for (const auto& round : work.place.choices)
+    for (const auto& note : round.notes) told.push_back("of what you chose, " + note);
   for (const auto& step : work.state.trace)
     if (!step.reason.empty() && !work.layout().find(step.planned.id))
       told.push_back(step.planned.id + " is not there: " + step.reason);

@@ -1,6 +1,7 @@
 #include "room_look_json.h"
 
 #include <algorithm>
+#include <charconv>
 #include <nlohmann/json.hpp>
 
 #include "file_limits.h"
@@ -103,6 +104,10 @@ std::optional<double> read_measure(const JsonReader& json, double low, double hi
   if (!json.is_string()) return read_within(json, low, high);
   const std::string word = lower(json.text());
   if (const auto found = words.find(word); found != words.end()) return found->second;
+  // "1900", "1900 K"
+  double value = 0.0;
+  const auto figures = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (figures.ec == std::errc() && value >= low && value <= high) return value;
   std::string known;
   for (const auto& [name, value] : words) known += (known.empty() ? "" : ", ") + name;
   json.remark("\"" + word + "\" is none of " + known + "; left open");
