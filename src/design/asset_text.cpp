@@ -78,7 +78,8 @@ std::string asset_line(const AssetOffer& offer, std::size_t index) {
   std::string line = "   " + offer.label(index) + ": " + looks + ", " + size_text(offered.size) +
                      " m (" + difference_text(offered.size, asked) + stretch_text(offered) + ")" +
                      kind_of_making(offered.asset) + parts_text(offered.asset);
-  if (offer.carries && !offered.asset.support_height) line += "; nothing can stand on it";
+  const bool is_known = !offered.asset.ref.procedural;  // of what is made it is seen when it is
+  if (is_known && offer.carries && !offered.asset.support_height) line += "; nothing can stand on it";
   return line;
 }
 

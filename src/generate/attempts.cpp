@@ -100,11 +100,10 @@ Result<AssetInfo> amended(Work& work, const PlannedObject& planned, const AssetI
   return taken;
 }
 
-// With its group, if it is the anchor of one.
-void leave_out(Work& work, const std::string& why, Trial& trial) {
+// Of a group its anchor alone: what belongs to it is a question of its own.
+void leave_out(Work& work, const std::string& why, const PlacementTask& task, Trial& trial) {
   trial.step.reason = "the designer left it out: " + why;
-  if (begins_group(work, trial.planned))
-    work.state.dropped_groups.emplace(work.role_of(trial.planned.id)->group, trial.step.reason);
+  if (begins_group(work, trial.planned)) fall_apart(work, trial.planned, task);
 }
 
 // An asset as the designer says. Whether that was the end: it stands, or nothing more can be tried.
@@ -113,7 +112,7 @@ bool try_asset(Work& work, const AssetInfo& offered, Trial& trial) {
   if (!task) return trial.step.reason = task.error().message, true;
   const auto advice = consult(work, trial.planned, *task, trial.earlier);
   if (!advice) return trial.step.reason = advice.error().message, true;
-  if (!advice->leave_out.empty()) return leave_out(work, advice->leave_out, trial), true;
+  if (!advice->leave_out.empty()) return leave_out(work, advice->leave_out, *task, trial), true;
   const auto not_moved = move_standing(work, advice->moves);
   const auto asset = amended(work, trial.planned, offered, *advice, *task);
   if (!asset) return trial.step.reason = asset.error().message, true;
@@ -232,12 +231,6 @@ Result<Attempt> try_to_place(Work& work, const PlannedObject& planned, const Ass
 }
 
 void try_all(Work& work, const PlannedObject& planned, Step& step) {
-  const auto* role = work.role_of(planned.id);
-  const auto dropped = role ? work.state.dropped_groups.find(role->group) : work.state.dropped_groups.end();
-  if (dropped != work.state.dropped_groups.end()) {
-    step.reason = dropped->second;
-    return;
-  }
   if (take_place_in_group(work, planned, step)) return;
   const auto assets = assets_for(work, planned);
   if (!assets) {

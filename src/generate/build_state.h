@@ -57,7 +57,6 @@ struct BuildState {
   std::set<std::size_t> hopeless_items;         ///< of which one found no place
   std::vector<StandingGroup> groups;            ///< that stand
   std::set<std::string> tried_groups;           ///< by id
-  std::map<std::string, std::string> dropped_groups;  ///< by id: why the designer left them out
   /// Groups within groups that found no place as one, by the id of their anchor: still to be tried.
   std::map<std::string, composition::Arranged> units;
   std::map<std::string, LaidRug> rugs;  ///< of designers, by id
