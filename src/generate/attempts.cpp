@@ -39,6 +39,22 @@ struct Trial {
   std::optional<PlacementTask> first = {};  ///< as the first attempt had it
 };
 
+// The asset and the task as the designer amends the plan.
+Result<AssetInfo> amended(Work& work, const PlannedObject& planned, const AssetInfo& asset, const PlaceAdvice& advice,
+                          PlacementTask& task) {
+  if (!amend(work, planned, advice)) return asset;
+  AssetInfo taken = asset;
+  if (advice.size) {
+    const auto assets = assets_for(work, planned);
+    if (!assets) return assets.error();
+    if (!assets->empty()) taken = assets->front();
+  }
+  auto anew = prepare(work, planned, taken);
+  if (!anew) return anew.error();
+  task = *std::move(anew);
+  return taken;
+}
+
 // Whatever comes of it, the room may go on with the first answer.
 Result<Attempt> second_answer(Work& work, const AssetInfo& asset, Trial& trial,
                               const Object& standing) {
@@ -54,7 +70,9 @@ Result<Attempt> second_answer(Work& work, const AssetInfo& asset, Trial& trial,
   if (advice->consultation.fell_back)
     return Error{Error::Kind::invalid_input, "the model had no second answer"};
   move_standing(work, advice->moves);
-  return try_to_place(work, trial.planned, asset, *advice, trial.earlier.refusals.size(), *task);
+  const auto taken = amended(work, trial.planned, asset, *advice, *task);
+  if (!taken) return taken.error();
+  return try_to_place(work, trial.planned, *taken, *advice, trial.earlier.refusals.size(), *task);
 }
 
 // Nothing of an answer is dropped silently: a model is told once what could not be followed, and the
@@ -82,22 +100,6 @@ void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
   }
   if (better) first.refused = "the answer after it is followed no less";
   if (second) trial.step.attempts.push_back(*std::move(second));
-}
-
-// The asset and the task as the designer amends the plan.
-Result<AssetInfo> amended(Work& work, const PlannedObject& planned, const AssetInfo& asset, const PlaceAdvice& advice,
-                          PlacementTask& task) {
-  if (!amend(work, planned, advice)) return asset;
-  AssetInfo taken = asset;
-  if (advice.size) {
-    const auto assets = assets_for(work, planned);
-    if (!assets) return assets.error();
-    if (!assets->empty()) taken = assets->front();
-  }
-  auto anew = prepare(work, planned, taken);
-  if (!anew) return anew.error();
-  task = *std::move(anew);
-  return taken;
 }
 
 // Of a group its anchor alone: what belongs to it is a question of its own.

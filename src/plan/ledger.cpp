@@ -9,6 +9,7 @@
 #include "floor_plan.h"
 #include "blocks.h"
 #include "brief/picture_text.h"
+#include "brief/said_wish.h"
 #include "room_clauses.h"
 #include "roomgen/base/text.h"
 #include "scene/attribute_names.h"
@@ -121,6 +122,13 @@ class Ledger {
     return words.empty() ? mention.category : words;
   }
 
+  // In the wish's own words where a model read it; its kind is only what such a thing is taken for.
+  std::string called(const brief::Mention& mention) const {
+    const auto* read = brief::reading_of(request_);
+    if (!read || !read->is_by_model || mention.noun.empty()) return mention.category;
+    return join(mention.naming, " ") + (mention.naming.empty() ? "" : " ") + mention.noun;
+  }
+
   void count(std::size_t index, const brief::Mention& mention) {
     Requirement requirement = about(index, mention, Requirement::Kind::count);
     const bool is_range = mention.most > mention.least;
@@ -142,7 +150,7 @@ class Ledger {
   void attribute(std::size_t index, const brief::Mention& mention, const std::string& look) {
     Requirement requirement = about(index, mention, Requirement::Kind::attribute);
     requirement.attribute = look;
-    requirement.clause = look + " " + mention.category;
+    requirement.clause = look + " " + called(mention);
     add(std::move(requirement), words_of(mention, Heard::As::attribute, look));
   }
 
@@ -153,7 +161,7 @@ class Ledger {
     using Limit = language::Measure::Limit;
     requirement.at_least = length.limit == Limit::least;
     requirement.at_most = length.limit == Limit::most;
-    requirement.clause = mention.category + ", " + length.side +
+    requirement.clause = called(mention) + ", " + length.side +
                          (requirement.at_least  ? " at least"
                           : requirement.at_most ? " at most"
                                                 : "") +
@@ -165,7 +173,7 @@ class Ledger {
     if (mention.mount_heard == brief::HeardWords::none) return;
     Requirement requirement = about(index, mention, Requirement::Kind::attribute);
     requirement.attribute = std::string(mount_attribute).append(name(mention.mount));
-    requirement.clause = mention.category + " on the " + std::string(name(mention.mount));
+    requirement.clause = called(mention) + " on the " + std::string(name(mention.mount));
     add(std::move(requirement), {mention.mount_heard});
   }
 
@@ -181,10 +189,10 @@ class Ledger {
     requirement.attribute = names.at(formation.shape);
     requirement.count = are_islands ? formation.columns : formation.rows;
     const std::string number = std::to_string(requirement.count);
-    requirement.clause = mention.category + " " + requirement.attribute;
+    requirement.clause = called(mention) + " " + requirement.attribute;
     if (are_islands) requirement.clause += " of " + number;
     if (formation.shape == Shape::rows && requirement.count > 0)
-      requirement.clause = mention.category + " in " + (requirement.count == 1 ? "a row" : number + " rows");
+      requirement.clause = called(mention) + " in " + (requirement.count == 1 ? "a row" : number + " rows");
     add(std::move(requirement), {mention.formation_heard});
   }
 
@@ -209,14 +217,14 @@ class Ledger {
     Requirement requirement = about(index, mention, Requirement::Kind::relation);
     requirement.relation = kind;
     const bool is_told = mention.source == Requirement::Source::prompt;
-    requirement.clause = mention.category + " " + std::string(is_told ? as_told(kind) : name(kind));
+    requirement.clause = called(mention) + " " + std::string(is_told ? as_told(kind) : name(kind));
     if (kind == RelationKind::gap) set_gap(requirement, mention, demand.gap);
     if (demand.mention != brief::Demand::none) {
       requirement.targets = with_parts(demand.mention);
       // "the second bench"
       if (const auto nth = static_cast<std::size_t>(demand.nth); demand.nth >= 0 && nth < requirement.targets.size())
         requirement.targets = {requirement.targets[nth]};
-      requirement.clause += " " + brief_.mentions[demand.mention].category;
+      requirement.clause += " " + called(brief_.mentions[demand.mention]);
       // Rows face what is before their middle.
       if (mention.formation && !mention.formation->is_round() && is_looking_at(demand.kind))
         requirement.subjects = middle_of_rows(requirement.subjects, *mention.formation);
@@ -230,11 +238,11 @@ class Ledger {
     add(std::move(requirement), {demand.heard});
   }
   // "chair 0.5 m from"
-  static void set_gap(Requirement& requirement, const brief::Mention& mention, const Gap& gap) {
+  void set_gap(Requirement& requirement, const brief::Mention& mention, const Gap& gap) const {
     requirement.at_least = std::isinf(gap.most);
     requirement.at_most = gap.least < gap.most && !requirement.at_least;
     requirement.amount = requirement.at_least ? gap.least : gap.most;
-    requirement.clause = mention.category + " " + to_text(gap) + " from";
+    requirement.clause = called(mention) + " " + to_text(gap) + " from";
   }
 
   // Of several of which some are told of apart, all are meant.
@@ -264,13 +272,13 @@ class Ledger {
       if (demand.kind != RelationKind::between) continue;
       if (names.empty() && &demand != &first) return;  // said with the first
       const bool is_thing = demand.mention != brief::Demand::none;
-      names.push_back(is_thing ? brief_.mentions[demand.mention].category : demand.part);
+      names.push_back(is_thing ? called(brief_.mentions[demand.mention]) : demand.part);
       const auto targets = is_thing ? ids_[demand.mention]
                                     : std::vector<std::string>{part_of(room_, demand.part)};
       requirement.targets.insert(requirement.targets.end(), targets.begin(), targets.end());
       words.push_back(demand.heard);
     }
-    requirement.clause = mention.category + " between " + join(names, " and ");
+    requirement.clause = called(mention) + " between " + join(names, " and ");
     add(std::move(requirement), words);
   }
 
@@ -286,8 +294,8 @@ class Ledger {
     requirement.targets =
         share.owner != brief::no_mention ? with_parts(share.owner) : parts_called(share.place);
     const std::string owner =
-        share.owner != brief::no_mention ? brief_.mentions[share.owner].category : share.place;
-    requirement.clause = (share.count == 1 ? "a" : std::to_string(share.count)) + " " + mention.category + " " +
+        share.owner != brief::no_mention ? called(brief_.mentions[share.owner]) : share.place;
+    requirement.clause = (share.count == 1 ? "a" : std::to_string(share.count)) + " " + called(mention) + " " +
                          std::string(as_told(requirement.relation)) + " each " + owner;
     std::vector<std::size_t> words = words_of(mention, Heard::As::thing);
     words.push_back(share.heard);
@@ -318,7 +326,7 @@ class Ledger {
     const bool is_thing = denial.target != brief::no_mention;
     requirement.targets = is_thing ? with_parts(denial.target) : std::vector<std::string>{part_of(room_, denial.part)};
     requirement.clause = requirement.category + " not " + std::string(name(denial.kind)) + " " +
-                         (is_thing ? brief_.mentions[denial.target].category : denial.part);
+                         (is_thing ? called(brief_.mentions[denial.target]) : denial.part);
     add(std::move(requirement), {denial.heard});
   }
 
@@ -341,7 +349,7 @@ class Ledger {
                          : is_list               ? "nothing but " + join(names, ", ")
                                                  : "nothing else";
     if (limit.on != brief::no_mention)
-      requirement.clause += " on " + brief_.mentions[limit.on].category;
+      requirement.clause += " on " + called(brief_.mentions[limit.on]);
     if (limit.mount) requirement.clause += " on the " + std::string(name(*limit.mount));
     add(std::move(requirement), {limit.heard});
   }
