@@ -56,7 +56,7 @@ def main():
     explained = plan("plan", "--explain", WISH)
     assert len(QUESTIONS) == 1 and WISH in text_of(QUESTIONS[0]["messages"][-1])
     assert QUESTIONS[0]["response_format"]["json_schema"].get("strict"), "the form is no strict schema"
-    for line in ("[roten] attribute: red office chair", "[zwei] count: 2 chair", "[Tisch] thing: a table"):
+    for line in ("[roten] attribute: red chair", "[zwei] count: 2 chair", "[Tisch] thing: a table"):
         assert line in explained, explained
     assert "not understood" not in explained, explained
     for forms in (plan("--json", "plan", "--explain", WISH),
