@@ -73,10 +73,9 @@ Form::Form(FormNode node, const FormContext& context, BriefReading& reading)
       is_rules(context.author == FormAuthor::roomgen) {}
 
 bool Form::remark(const FormNode& clause, std::uint32_t near) {
-  const std::size_t said = hear_as_one(clause, Heard::As::room, near);
-  if (said == HeardWords::none) return false;
-  entry(brief.heard[said].tokens, Heard::As::room, said_remark);
-  return true;
+  const auto said = quoted_as_one(clause["words"], near);
+  if (said) entry(*said, Heard::As::room, said_remark);
+  return said.has_value();
 }
 
 void Form::problem(const FormNode& node, const std::string& what) {
@@ -120,18 +119,22 @@ std::vector<std::size_t> Form::hear(const FormNode& node, Heard::As as, const st
   return heard;
 }
 
-std::size_t Form::hear_as_one(const FormNode& clause, Heard::As usual, std::uint32_t near) {
+std::optional<language::Run> Form::quoted_as_one(const FormNode& words, std::uint32_t near) {
   std::optional<language::Run> all;
-  for (const auto& quote : quoted(clause["words"])) {
+  for (const auto& quote : quoted(words)) {
     const auto runs = quotes.find(quote, near);
-    if (runs.empty())
-      problem(clause["words"], "\"" + quote + "\" is not in the wish; quote its own words");
+    if (runs.empty()) problem(words, "\"" + quote + "\" is not in the wish; quote its own words");
     for (const auto& run : runs) {
       if (!all) all = run;
       const language::Run wider{std::min(all->begin, run.begin), std::max(all->end, run.end)};
       if (wider.size() <= widest_clause) all = wider;
     }
   }
+  return all;
+}
+
+std::size_t Form::hear_as_one(const FormNode& clause, Heard::As usual, std::uint32_t near) {
+  const auto all = quoted_as_one(clause["words"], near);
   if (!all) return HeardWords::none;
   Heard::As as = usual;
   for (const auto one : {Heard::As::thing, Heard::As::count, Heard::As::attribute,

@@ -70,6 +70,8 @@ struct Form {
 
  private:
   std::vector<std::string> quoted(const FormNode& node) const;
+  /// From the first of the quotes to the last, as far as that is one clause.
+  std::optional<language::Run> quoted_as_one(const FormNode& words, std::uint32_t near);
 
   std::map<std::string, std::uint32_t> read_up_to_;  ///< of quotes of things: behind the last place
 };

@@ -269,7 +269,8 @@ class FormThings {
         target->mention != index && is_named(*target) && !node["m"].number().value_or(0.0);
     if (number_of_clauses() == before && is_of_another)
       talk_.add(index, {placement->relations.front(), target->mention, target->part, false});
-    if (number_of_clauses() == before) form_.remark(node, near);
+    if (number_of_clauses() == before && heard != HeardWords::none)
+      form_.entry(brief_.heard[heard].tokens, Heard::As::room, said_remark);
     talk_.told_by(HeardWords::none);
   }
   static std::vector<std::string> split_blanks(const std::string& text) {

@@ -29,6 +29,7 @@ constexpr const char* made_by_itself =
 constexpr const char* made_by_rules =
     "What is made is plainer than what is in stock: make a thing where nothing offered is what it "
     "should be.";
+
 const std::vector<std::string> list_keys = {"choices", "choice", "items", "assets"};
 const std::vector<std::string> item_keys = {"item", "id", "number", "row"};
 const std::vector<std::string> take_keys = {"take",  "choice", "candidate",

@@ -6,6 +6,7 @@
 
 #include "base/random.h"
 #include "brief/dwelling_kinds.h"
+#include "brief/prompt.h"
 #include "brief/room_kinds.h"
 #include "brief/said_wish.h"
 #include "plan/coverage.h"
@@ -123,6 +124,15 @@ void keep_ledger(const brief::SaidDwelling& said, DwellingPlan& plan) {
   plan.heard = plan::heard_words(plan.prompt, said, plan.rooms, ids);
 }
 
+std::optional<brief::SaidDwelling> dwelling_by_rules(const std::string& prompt,
+                                                     const brief::DwellingKinds& dwellings,
+                                                     const brief::RoomKinds& kinds) {
+  auto said = brief::read_dwelling(prompt, dwellings, kinds, KindTable::built_in());
+  if (said)
+    for (auto& room : said->rooms) conclude(room.brief, kinds, KindTable::built_in());
+  return said;
+}
+
 }  // namespace
 
 Result<std::optional<DwellingPlan>> plan_dwelling(const PlanRequest& request, Designer& designer) {
@@ -133,7 +143,7 @@ Result<std::optional<DwellingPlan>> plan_dwelling(const PlanRequest& request, De
   if (!kinds) return kinds.error();
   if (request.room || request.size) return none;
   const brief::SaidWish* read = brief::reading_of(request);
-  const auto said = (read ? *read : brief::wish_by_rules(request.prompt, *kinds, KindTable::built_in())).dwelling;
+  const auto said = read ? read->dwelling : dwelling_by_rules(request.prompt, *dwellings, *kinds);
   if (!said) return none;
 
   const Random random = Random(request.seed).fork("dwelling");

@@ -37,9 +37,7 @@ Result<Reading<Judged>> read_judged(const std::string& text) {
 
 std::string verdict_lines(const Scene& scene) {
   std::string lines;
-  for (const auto& one : scene.requirements)
-    lines += one.requirement.id + ": " + told(one.requirement) + ": " + std::string(name(one.compliance)) +
-             (one.reason.empty() || one.met() ? "" : ", " + one.reason) + "\n";
+  for (const auto& one : scene.requirements) lines += told(one) + "\n";
   return lines.empty() ? "nothing in particular\n" : lines;
 }
 

@@ -42,6 +42,20 @@ void shuffle_top(std::vector<AssetMatch>& matches, Random random, const PlanItem
   std::copy(top.begin(), top.end(), matches.begin());
 }
 
+AssetQuery query_for(const PlanItem& item, const KindTable& categories) {
+  const Kind* kind = categories.find(item.category);
+  const Vec3 usual_size = kind ? kind->size : categories.get(item.category).size;
+  AssetQuery query;
+  query.category = item.category;
+  query.description = item.description;
+  query.size = item.size.value_or(usual_size);
+  // A picture that leans is one that hangs elsewhere.
+  query.mount = kind && !item.tilt.isZero() ? kind->mount : item.mount;
+  query.asked = item.asked;
+  query.sized = item.size && (kind || !item.size->isApprox(usual_size, same_size));
+  return query;
+}
+
 // By its key. Of things that vary the first one takes it, and all what was written for them alone.
 std::optional<AssetInfo> chosen_for(const AssetSearch& search, const Favourites& favourites,
                                     const PlanItem& item, const PlannedObject& planned) {
@@ -61,16 +75,11 @@ std::optional<AssetInfo> chosen_for(const AssetSearch& search, const Favourites&
 Result<std::vector<AssetInfo>> retrieve(const AssetSearch& search, const Favourites& favourites,
                                         const PlanItem& item, const PlannedObject& planned,
                                         int count) {
-  const Kind* kind = search.categories.find(item.category);
-  const Vec3 usual_size = kind ? kind->size : search.categories.get(item.category).size;
-  AssetQuery query;
-  query.category = item.category;
-  query.description = item.description;
-  query.size = item.size.value_or(usual_size);
-  // A picture that leans is one that hangs elsewhere.
-  query.mount = kind && !item.tilt.isZero() ? kind->mount : item.mount;
-  query.asked = item.asked;
-  query.sized = item.size && (kind || !item.size->isApprox(usual_size, same_size));
+  const AssetQuery query = query_for(item, search.categories);
+  if (auto chosen = chosen_for(search, favourites, item, planned)) {
+    chosen->mount = query.mount.value_or(chosen->mount);
+    return std::vector<AssetInfo>{*std::move(chosen)};  // nothing takes its place unasked
+  }
   auto matches = search.library.search(query);
   if (!matches) return matches.error();
 
@@ -78,12 +87,7 @@ Result<std::vector<AssetInfo>> retrieve(const AssetSearch& search, const Favouri
               planned);
 
   std::vector<AssetInfo> result;
-  if (auto chosen = chosen_for(search, favourites, item, planned)) {
-    chosen->mount = query.mount.value_or(chosen->mount);
-    return std::vector<AssetInfo>{*std::move(chosen)};  // nothing takes its place unasked
-  } else if (const AssetInfo* known = favourite(favourites, item)) {
-    result.push_back(*known);
-  }
+  if (const AssetInfo* known = favourite(favourites, item)) result.push_back(*known);
   for (const auto& match : *matches) {
     if (static_cast<int>(result.size()) >= count) break;
     const bool again = !result.empty() && result.front().ref == match.asset.ref;

@@ -319,13 +319,14 @@ class Ledger {
   }
 
   void denied(const brief::Denial& denial) {
-    Requirement requirement = about(denial.thing, brief_.mentions[denial.thing], Requirement::Kind::relation);
+    const brief::Mention& mention = brief_.mentions[denial.thing];
+    Requirement requirement = about(denial.thing, mention, Requirement::Kind::relation);
     requirement.subjects = with_parts(denial.thing);
     requirement.relation = denial.kind;
     requirement.denied = true;
     const bool is_thing = denial.target != brief::no_mention;
     requirement.targets = is_thing ? with_parts(denial.target) : std::vector<std::string>{part_of(room_, denial.part)};
-    requirement.clause = requirement.category + " not " + std::string(name(denial.kind)) + " " +
+    requirement.clause = called(mention) + " not " + std::string(name(denial.kind)) + " " +
                          (is_thing ? called(brief_.mentions[denial.target]) : denial.part);
     add(std::move(requirement), {denial.heard});
   }
@@ -339,7 +340,7 @@ class Ledger {
       if (!is_within(i, limit)) continue;
       for (const auto& id : ids_[i]) requirement.subjects.push_back(id);
       if (brief_.mentions[i].part_of == brief::Demand::none)
-        names.push_back(brief_.mentions[i].category);
+        names.push_back(called(brief_.mentions[i]));
     }
     if (limit.on != brief::no_mention) requirement.targets = with_parts(limit.on);
     if (limit.mount) requirement.attribute = std::string(mount_attribute).append(name(*limit.mount));

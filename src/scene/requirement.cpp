@@ -120,6 +120,12 @@ std::string told(const Requirement& requirement) {
   return requirement.clause + (requirement.picture > 0 ? " (" + source_text(requirement) + ")" : "");
 }
 
+std::string told(const RequirementVerdict& verdict) {
+  const Requirement& requirement = verdict.requirement;
+  return requirement.id + ": " + told(requirement) + ": " + std::string(name(verdict.compliance)) +
+         (verdict.reason.empty() || verdict.met() ? "" : ", " + verdict.reason);
+}
+
 std::string_view name(Compliance compliance) {
   return name_in<Compliance>(compliances, compliance);
 }

@@ -342,16 +342,24 @@ TEST_CASE("An answer in plain words is read when it holds a list of constraints"
   CHECK((*advice->location - Vec2(2.0, 1.8)).norm() < 1e-9);
 }
 
-TEST_CASE("Small things of one carrier are asked for at once") {
-  Conversation talk({reply_saying(
-      R"({"constraints": "on, desk-0", "location": [1.8, 2.6], "others": [)"
-      R"({"id": "cup-1", "constraints": "on, desk-0", "location": [2.3, 2.5], "facing": null}]})")});
+namespace {
+
+PlanItem cups_on_desk(int quantity) {
   PlanItem cup;
   cup.category = "cup";
   cup.mount = Mount::surface;
   cup.on = "desk-0";
-  cup.quantity = 2;
-  talk.plan.items = {cup};
+  cup.quantity = quantity;
+  return cup;
+}
+
+}  // namespace
+
+TEST_CASE("Small things of one carrier are asked for at once") {
+  Conversation talk({reply_saying(
+      R"({"constraints": "on, desk-0", "location": [1.8, 2.6], "others": [)"
+      R"({"id": "cup-1", "constraints": "on, desk-0", "location": [2.3, 2.5], "facing": null}]})")});
+  talk.plan.items = {cups_on_desk(2)};
   Object first = rooms::thing("cup-0", "cup", {0.1, 0.1, 0.1});
   first.mount = Mount::surface;
   const PlannedObject one{"cup-0", 0, 0}, other{"cup-1", 0, 1};
@@ -374,12 +382,7 @@ TEST_CASE("Small things that get no places stand in a row along what carries the
                                   R"({"id": "cup-3", "constraints": "on, desk-0", "location": []},)"
                                   R"({"id": "cup-1", "constraints": "on, desk-0", "location": [2.6, 2.7]},)"
                                   R"({"id": "cup-2", "constraints": "on, desk-0"}]})")});
-  PlanItem cup;
-  cup.category = "cup";
-  cup.mount = Mount::surface;
-  cup.on = "desk-0";
-  cup.quantity = 4;
-  talk.plan.items = {cup};
+  talk.plan.items = {cups_on_desk(4)};
   std::map<std::string, PlaceAdvice> answers;
   for (int number = 0; number < 4; ++number) {
     Object object = rooms::thing("cup-" + std::to_string(number), "cup", {0.1, 0.1, 0.1});

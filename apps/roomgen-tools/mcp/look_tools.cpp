@@ -53,10 +53,7 @@ Result<std::string> photograph(Workplace& place, OpenedRoom& room, const Json& j
 // The ledger, as models that look at rooms are shown it.
 std::vector<std::string> review_lines(const Scene& scene) {
   std::vector<std::string> lines = {"The wish: " + shortened(scene.prompt, most_of_prompt)};
-  for (const auto& one : scene.requirements)
-    lines.push_back(one.requirement.id + ": " + told(one.requirement) + ": " +
-                    std::string(name(one.compliance)) +
-                    (one.reason.empty() || one.met() ? "" : ", " + one.reason));
+  for (const auto& one : scene.requirements) lines.push_back(told(one));
   for (const auto& missing : scene.unplaced)
     lines.push_back("left out: " + missing.id + ": " + missing.reason);
   return lines;

@@ -110,6 +110,8 @@ std::string_view name(Heard::As as);
 
 /// Its clause for people, with the picture that shows it: "a desk (image 1)".
 std::string told(const Requirement& requirement);
+/// What became of it: "r7: 2 red chair: not met, there is 1 instead of 2".
+std::string told(const RequirementVerdict& verdict);
 
 /// {"id", "clause", "kind", "source", "category", "subjects", "count" | "attribute" | "relation", ...}
 Json to_json(const Requirement& requirement);
