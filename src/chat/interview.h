@@ -19,6 +19,8 @@ struct Reading {
   std::vector<std::string> repairs = {};
   /// What should be better although the answer can be used: worth one more question.
   std::string complaint = {};
+  /// Of use as far as it goes, so that it is not asked for again because it was cut off.
+  bool in_part = false;
 };
 
 /// An answer as it is shown to the model again: at most so many bytes, and nothing of one that was
@@ -49,17 +51,24 @@ class Interview {
   template <typename Read>
   auto ask(const Question& question, Read read)
       -> Result<decltype(std::declval<decltype(read(std::string()))>()->value)> {
-    using Understood = decltype(read(std::string()));
     auto request = first_request(question);
     if (!request) return request.error();
+    return ask(*std::move(request), read);
+  }
+
+  template <typename Read>
+  auto ask(ChatRequest request, Read read)
+      -> Result<decltype(std::declval<decltype(read(std::string()))>()->value)> {
+    using Understood = decltype(read(std::string()));
     std::optional<Understood> usable;
     for (int answer = 1;; ++answer) {
-      auto reply = call(*request);
+      auto reply = call(request);
       if (!reply && (!usable || reply.error().kind == Error::Kind::cancelled)) return reply.error();
       if (!reply) return settle(**usable);
       Understood understood = read(reply->text);
-      const std::string objection = objection_to(*request, *reply, understood);
-      const bool done = understood && (objection.empty() || usable || answer >= answers_);
+      const std::string objection = objection_to(request, *reply, understood);
+      const bool enough = usable || answer >= answers_ || is_enough(*reply, understood);
+      const bool done = understood && (objection.empty() || enough);
       if (done) {
         if (!objection.empty()) notes_.push_back(objection);
         return settle(*understood);
@@ -69,7 +78,7 @@ class Interview {
         return Error{Error::Kind::invalid_input, objection};
       }
       if (understood) usable = std::move(understood);
-      if (auto status = ask_again(*request, *reply, objection); !status) return status.error();
+      if (auto status = ask_again(request, *reply, objection); !status) return status.error();
     }
   }
 
@@ -92,6 +101,11 @@ class Interview {
                                   const Result<Reading<T>>& understood) {
     const std::string what = understood ? understood->complaint : understood.error().message;
     return with_ending(request, reply, what);
+  }
+
+  template <typename T>
+  static bool is_enough(const ChatReply& reply, const Result<Reading<T>>& understood) {
+    return understood && reply.cut_off && understood->in_part && understood->complaint.empty();
   }
 
   static std::string with_ending(const ChatRequest& request, const ChatReply& reply,

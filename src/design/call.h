@@ -20,11 +20,17 @@ struct Call {
   /// Asks as Interview does; what was repaired and asked again is added to the notes.
   template <typename Read>
   auto ask(Question question, Read read, std::vector<std::string>& notes) const {
-    Line line(chat);
-    Interview interview(line, prompts, answers);
     question.images = images;
     question.max_tokens = max_tokens;
-    auto answer = interview.ask(question, read);
+    return talk(question, read, notes);
+  }
+
+  /// The same of a question that is whole, `images` and `max_tokens` included.
+  template <typename Asked, typename Read>
+  auto talk(Asked question, Read read, std::vector<std::string>& notes) const {
+    Line line(chat);
+    Interview interview(line, prompts, answers);
+    auto answer = interview.ask(std::move(question), read);
     const auto told = interview.take_notes();
     notes.insert(notes.end(), told.begin(), told.end());
     return answer;

@@ -22,8 +22,6 @@ namespace roomgen {
 
 namespace {
 
-constexpr double second_temperature = 0.5;  // weak models repeat a bad answer word for word
-constexpr std::size_t most_quoted = 4000;   // bytes of an answer that cannot be used
 constexpr int program_tokens = 5000, most_making_tokens = 32'000;
 
 class ModelDesigner : public Designer {
@@ -45,23 +43,21 @@ class ModelDesigner : public Designer {
     if (!question) return question.error();
     planning_ = {};
     forget();
-    planning_.prompt_sha256 = sha256_hex(question->messages.back().text);
-    std::optional<design::PlanReply> incomplete;  // what is forgotten goes back once
-    const auto read = [&](const std::string& text) -> Result<design::PlanReply> {
+    bool is_told = false;  // what is forgotten goes back once
+    const auto read = [&](const std::string& text) -> Result<Reading<design::PlanReply>> {
       auto answer = design::read_plan_reply(text, request, brief, categories_);
-      if (!answer) return answer;
+      if (!answer) return answer.error();
       if (auto status = design::check_floor(answer->plan, categories_); !status)
         return status.error();
-      if (incomplete) return answer;
-      const auto claimed = plan::claim(answer->plan, brief, categories_);
-      const auto objection = plan::objection(request, claimed, brief, answer->plan);
-      if (objection.empty()) return answer;
-      incomplete = *std::move(answer);
-      return Error{Error::Kind::invalid_input, objection};
+      std::string missing;
+      if (!std::exchange(is_told, true)) {
+        const auto claimed = plan::claim(answer->plan, brief, categories_);
+        missing = plan::objection(request, claimed, brief, answer->plan);
+      }
+      return Reading<design::PlanReply>{*std::move(answer), {}, std::move(missing), true};
     };
-    auto reply = converse(*question, read, planning_);
+    auto reply = talk_in(planning_).talk(*std::move(question), read, planning_.notes);
     if (!reply && ends_the_room(reply.error())) return reply.error();
-    if (!reply && incomplete) reply = *std::move(incomplete);
     if (reply) {
       const auto claimed = plan::claim(reply->plan, brief, categories_);
       plan::fulfil(request, claimed, brief, categories_, reply->plan);
@@ -162,11 +158,18 @@ class ModelDesigner : public Designer {
   // With the pictures, as far as there are any. The consultation must outlive it.
   design::Call talk_about(const std::function<Result<std::vector<Image>>()>& sheets,
                           Consultation& consultation) {
-    design::Call talk{{}, {}, prompts_, options_.answers, options_.plan_tokens, makes()};
+    design::Call talk = talk_in(consultation);
     if (auto status = show(sheets, talk.images, consultation); !status)
       consultation.notes.push_back("there are no pictures: " + status.error().message);
+    return talk;
+  }
+
+  // The consultation must outlive it.
+  design::Call talk_in(Consultation& consultation) {
+    design::Call talk{{}, {}, prompts_, options_.answers, options_.plan_tokens, makes()};
     talk.chat = [&](ChatRequest question) {
-      consultation.prompt_sha256 = sha256_hex(question.messages.back().text);
+      if (consultation.prompt_sha256.empty())
+        consultation.prompt_sha256 = sha256_hex(question.messages.back().text);
       auto reply = call(question, consultation);
       if (reply) count(*reply, consultation);
       return reply;
@@ -267,14 +270,15 @@ class ModelDesigner : public Designer {
   Result<PlaceAdvice> ask(const PlaceRequest& request, Consultation& consultation) {
     auto question = questions_.to_place(request, known(request));
     if (!question) return question.error();
-    consultation.prompt_sha256 = sha256_hex(question->messages.back().text);
     if (auto status = show(request.marks, question->messages.back().images, consultation); !status)
       return status.error();
     const bool located = options_.mode == ModelMode::fused;
-    const auto read = [&](const std::string& text) {
-      return design::read_place_reply(text, context_of(request));
+    const auto read = [&](const std::string& text) -> Result<Reading<design::PlaceReply>> {
+      auto answer = design::read_place_reply(text, context_of(request));
+      if (!answer) return answer.error();
+      return Reading<design::PlaceReply>{*std::move(answer), {}, {}, true};
     };
-    auto reply = converse(*question, read, consultation);
+    auto reply = talk_in(consultation).talk(*std::move(question), read, consultation.notes);
     if (!reply) return reply.error();
     consultation.notes.insert(consultation.notes.end(), reply->repairs.begin(),
                               reply->repairs.end());
@@ -302,7 +306,7 @@ class ModelDesigner : public Designer {
   }
 
   // A model without eyes goes on without pictures: the text says where everything stands.
-  Result<ChatReply> call(ChatRequest& question, Consultation& consultation) {
+  Result<ChatReply> call(ChatRequest question, Consultation& consultation) {
     if (is_blind_)
       for (auto& message : question.messages) message.images.clear();
     auto reply = model_.chat(question);
@@ -324,34 +328,6 @@ class ModelDesigner : public Designer {
     consultation.input_tokens += reply.input_tokens;
     consultation.output_tokens += reply.output_tokens;
     consultation.seconds += reply.seconds;
-  }
-
-  // Asks, and asks again with what was wrong, until `read` can use an answer.
-  template <typename Read>
-  auto converse(ChatRequest& question, Read read, Consultation& consultation)
-      -> decltype(read(std::string())) {
-    for (int answer = 1;; ++answer) {
-      auto reply = call(question, consultation);
-      if (!reply) return reply.error();
-      count(*reply, consultation);
-      auto understood = read(reply->text);
-      const std::string ending = reply->cut_off
-                                     ? "the answer was cut off after " +
-                                           std::to_string(question.max_tokens) + " tokens; be brief"
-                                     : "";
-      if (!ending.empty()) consultation.notes.push_back(ending);
-      if (understood) return understood;
-      std::string error = understood.error().message;
-      if (!ending.empty()) error += "; " + ending;
-      if (answer >= options_.answers) return Error{Error::Kind::invalid_input, error};
-      consultation.notes.push_back("asked again: " + error);
-      auto again = questions_.again(error);
-      if (!again) return again.error();
-      question.messages.push_back(
-          {ChatMessage::Role::assistant, quoted_answer(*reply, most_quoted), {}});
-      question.messages.push_back({ChatMessage::Role::user, *std::move(again), {}});
-      question.temperature = second_temperature;
-    }
   }
 
   ChatModel& model_;

@@ -234,8 +234,4 @@ std::string ModelQuestions::order(const PlaceRequest& request) const {
          join(ids, ", ") + ".";
 }
 
-Result<std::string> ModelQuestions::again(const std::string& error) const {
-  return prompts_.render("again-user", {{"error", error}});
-}
-
 }  // namespace roomgen::design

@@ -30,8 +30,6 @@ class ModelQuestions {
   };
   /// Without pictures.
   Result<ChatRequest> to_place(const PlaceRequest& request, const Known& known) const;
-  /// What follows an answer that could not be used.
-  Result<std::string> again(const std::string& error) const;
 
  private:
   Result<ChatRequest> make_question(std::string_view name, const Prompts::Slots& system,
