@@ -26,6 +26,12 @@ bool stands_easily_on(const Mention& mention, const Mention& carrier, const Kind
          !table.is_any_of(mention.category, {"seat", "table", "storage", "bed"});
 }
 
+// Is placed otherwise than it was said, and judged as said.
+void stand_for(Demand& demand, RelationKind kind) {
+  if (!demand.said) demand.said = demand.kind;
+  demand.kind = kind;
+}
+
 // A lamp on a nightstand is a table lamp, a plant on a desk a small one.
 void stand_on_things(Mention& mention, const Brief& brief, const KindTable& table) {
   const auto on = std::find_if(mention.demands.begin(), mention.demands.end(), is_support);
@@ -51,7 +57,7 @@ void stand_on_things(Mention& mention, const Brief& brief, const KindTable& tabl
   if (mention.size.maxCoeff() <= small_side || stands_easily_on(mention, carrier, table))
     mention.mount = Mount::surface;
   else
-    on->kind = RelationKind::near, on->said = RelationKind::on;
+    stand_for(*on, RelationKind::near);
 }
 
 // "a tray with two cups on the table": the tray is on the table, the cups are on the tray.
@@ -101,7 +107,7 @@ void hang_what_is_above(Mention& mention, const Brief& brief, const KindTable& t
     const bool small = mention.mount == Mount::surface;
     if (small && table.get(mention.category).forms.wall.empty() &&
         brief.mentions[demand.mention].mount == Mount::floor)
-      demand.kind = RelationKind::on;
+      stand_for(demand, RelationKind::on);
     else if (small || mention.mount == Mount::floor)
       hang(mention, Mount::wall, table);
   }

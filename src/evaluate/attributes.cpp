@@ -14,6 +14,7 @@ namespace {
 
 constexpr double shown_share = 0.3;     // of a colour that a thing has in a viewer's eyes
 constexpr double material_share = 0.2;  // of a colour that fits the material
+constexpr double part_share = 0.04;     // of the colour of one part
 constexpr double counted_share = 0.08;  // of each colour of something colourful
 constexpr int most_counted = 1000;
 constexpr int least_rank = 3;           // of identity_rank(): it or a kind of it
@@ -33,9 +34,15 @@ std::string shown_text(const KnownLooks& looks) {
   return names.empty() ? "no colour is known" : "it is " + join(names, " and ");
 }
 
+bool has_part(const KnownLooks& looks, const std::string& name) {
+  return looks.making.parts.count(name) + looks.making.parts.count(singular(name)) > 0;
+}
+
 class Judge {
  public:
-  explicit Judge(const KnownLooks& looks) : looks_(looks), table_(AttributeWords::built_in()) {}
+  /// `of_part`: what is judged is said of one of its parts.
+  explicit Judge(const KnownLooks& looks, bool of_part = false)
+      : looks_(looks), of_part_(of_part), table_(AttributeWords::built_in()) {}
 
   AttributeVerdict phrase(const std::string& text) const {
     const AttributeMeaning* meaning = table_.find(text);
@@ -120,7 +127,7 @@ class Judge {
   bool shows(const AttributeMeaning& meaning, double share) const {
     for (std::size_t i = 0; i < looks_.colors.size(); ++i) {
       const ShownColor& color = looks_.colors[i];
-      const bool enough = color.share >= share || i == 0;
+      const bool enough = color.share >= (of_part_ ? part_share : share) || i == 0;
       const bool named = std::find(meaning.colors.begin(), meaning.colors.end(), color.name) !=
                          meaning.colors.end();
       const bool light = !meaning.lightness || meaning.lightness->contains(lightness(color.mean));
@@ -130,6 +137,10 @@ class Judge {
   }
 
   AttributeVerdict material(const std::string& text, const AttributeMeaning& meaning) const {
+    const bool is_clear = std::any_of(meaning.materials.begin(), meaning.materials.end(), [&](const std::string& name) {
+      return has_word(looks_.clear, name);
+    });
+    if (is_clear) return yes("one sees through it");
     const bool agrees = looks_.colors.empty() || shows(meaning, material_share);
     const auto& materials = meaning.materials;
     const bool is_named = std::any_of(materials.begin(), materials.end(), [&](const std::string& name) {
@@ -187,6 +198,7 @@ class Judge {
     for (const auto& name : meaning.drawings) {
       if (has_word(looks_.identity.words, name)) return yes("its label says " + name);
       if (has_word(looks_.drawings, name)) return yes("its " + name + " surface shows");
+      if (has_part(looks_, name)) return yes("it has a " + name);
     }
     return no("no surface is " + text);
   }
@@ -204,7 +216,8 @@ class Judge {
     if (!meaning.sizes.empty() &&
         std::none_of(meaning.sizes.begin(), meaning.sizes.end(),
                      [&](const auto& ranges) { return is_sized(ranges); }))
-      return no("it measures " + size_text(looks_.size) + " m");
+      return looks_.is_kind_known ? no("it measures " + size_text(looks_.size) + " m")
+                                  : unknown("nobody knows how large such things are");
     const auto colors = std::count_if(looks_.colors.begin(), looks_.colors.end(),
                                       [](const auto& color) { return color.share >= counted_share; });
     if (colors < meaning.least_colors.value_or(0) || colors > meaning.most_colors.value_or(most_counted))
@@ -243,6 +256,7 @@ class Judge {
   }
 
   const KnownLooks& looks_;
+  bool of_part_;
   const AttributeWords& table_;
 };
 
@@ -260,9 +274,11 @@ std::vector<std::string> telling_phrases(std::string_view attribute) {
 AttributeVerdict judge_attribute(const KnownLooks& looks, std::string_view attribute) {
   if (const auto stated = read_stated_size(attribute))
     return has_size(*stated, looks.size) ? yes("as measured") : no("it measures " + size_text(looks.size) + " m");
-  const Judge judge(looks);
-  const auto phrases = telling_phrases(attribute);
+  auto phrases = telling_phrases(attribute);
   if (phrases.empty()) return unknown("\"" + std::string(attribute) + "\" says nothing");
+  const bool of_part = phrases.size() > 1 && has_part(looks, phrases.back());  // "red curtain"
+  if (of_part) phrases.pop_back();
+  const Judge judge(looks, of_part);
   AttributeVerdict result;
   for (const auto& phrase : phrases) {
     result = judge.phrase(phrase);

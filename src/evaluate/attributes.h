@@ -21,10 +21,12 @@ struct KnownLooks {
   /// Words of the names of materials that cover a seventh or more, with the roughness there; "glass" and
   /// "metal" also of what lets light through or is metallic.
   std::map<std::string, double> surfaces;
+  std::set<std::string> clear;     ///< those of them that one sees through
   std::set<std::string> drawings;  ///< those of them that carry a texture
   double roughness = 0.8;          ///< mean over the surface
   Vec3 size = Vec3::Ones();        ///< metres
-  Vec3 usual = Vec3::Ones();       ///< size of the kind
+  Vec3 usual = Vec3::Ones();       ///< size of the kind, where it is known
+  bool is_kind_known = true;
   Mount mount = Mount::floor;
   Outline outline = Outline::other;
   double steadiness = 0.0;         ///< degrees by which it may be tilted before it tips over
@@ -40,7 +42,8 @@ struct AttributeVerdict {
 
 /// Has the thing the attribute ("matte_black", "l-shaped", "pastel pink")? All words of it must hold, the
 /// longest known phrases first (data/evaluate/attributes.json); a word that is in no table holds if the
-/// label says it and cannot be judged otherwise; sizes in numbers ("160 cm wide") are those of the box.
+/// label says it and cannot be judged otherwise; what is said of a part that it has ("red curtain") needs to show on
+/// little of it; sizes in numbers ("160 cm wide") are those of the box.
 /// docs/evaluation.md has the rules.
 AttributeVerdict judge_attribute(const KnownLooks& looks, std::string_view attribute);
 

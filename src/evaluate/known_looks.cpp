@@ -19,7 +19,7 @@ void add_words(const std::string& text, std::set<std::string>& to) {
 }
 
 void look_at_surfaces(const Model& model, KnownLooks& looks) {
-  std::map<std::string, double> areas, rough_areas, drawn_areas;
+  std::map<std::string, double> areas, rough_areas, drawn_areas, clear_areas;
   double whole = 0.0, rough = 0.0;
   for (const auto& part : model.parts) {
     const Material& material = model.materials[static_cast<std::size_t>(part.material)];
@@ -34,14 +34,20 @@ void look_at_surfaces(const Model& model, KnownLooks& looks) {
       areas[name] += covered;
       rough_areas[name] += covered * material.roughness;
       if (material.texture) drawn_areas[name] += covered;
+      if (material.transparent()) clear_areas[name] += covered;
     }
   }
   if (whole <= 0.0) return;
   looks.roughness = rough / whole;
   for (const auto& [name, covered] : areas)
     if (covered >= least_surface * whole) looks.surfaces[name] = rough_areas[name] / covered;
-  for (const auto& [name, covered] : drawn_areas)
-    if (covered >= least_surface * whole) looks.drawings.insert(name);
+  const auto names_of = [&](const std::map<std::string, double>& some) {
+    std::set<std::string> names;
+    for (const auto& [name, covered] : some)
+      if (covered >= least_surface * whole) names.insert(name);
+    return names;
+  };
+  looks.drawings = names_of(drawn_areas), looks.clear = names_of(clear_areas);
 }
 
 // The least angle from below the centre of the surface to the edge of what it stands on, the box around its feet.
@@ -83,6 +89,7 @@ KnownLooks known_looks(const Object& object, const ModelTable& models) {
   looks.size = object.size;
   const Kind* category = KindTable::built_in().find(looks.identity.kind);
   looks.usual = category ? category->size : object.size;
+  looks.is_kind_known = category != nullptr;
   looks.mount = object.mount;
   return looks;
 }
