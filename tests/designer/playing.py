@@ -1,0 +1,166 @@
+#!/usr/bin/env python3
+"""Plays recorded designers again over HTTP, and holds that their rooms come out as they said.
+
+    playing.py ROOMGEN OUT [--plays DIR] [--figures FILE]    DIR: tests/data/plays
+    playing.py --pack RECORDING.jsonl WISH PLAY.json         of `generate --record`
+
+A play is the wish and what was answered to each form, in order. What a question shows and says may differ from when it was
+recorded; a place is looked up by the thing that it is for (its id, else how it was described). What was answered more often
+than it is asked now is not needed any more. Exit code 1 if a bar is missed.
+"""
+
+import argparse
+import json
+import re
+import statistics
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+from chat_server import chat_server, text_of
+
+PLAYS = Path(__file__).resolve().parent.parent / "data/plays"
+NOTHING = {"things": {"things": []}, "choices": {"choices": []}, "review": {"judgement": "", "operations": []}}
+ASKED = re.compile(r"^(?:Now place )?([a-z0-9][^:\n]*-\d+): (.*?)(?:, about |; it is the middle| \(|$)", re.M)
+
+
+def things_asked(question):
+    """What is to be placed, in order: id and description."""
+    text = text_of(question["messages"][1])
+    text = text[text.rindex("Now place "):]
+    others = text.find("Give also")
+    found = ASKED.findall(text[:others] if others >= 0 else text)[:1]
+    return found + (ASKED.findall(text[others:]) if others >= 0 else [])
+
+
+def form_of(question):
+    return question["response_format"]["json_schema"]["name"]
+
+
+class Designer:
+    """Answers as the recorded one did."""
+
+    def __init__(self, play):
+        self.forms, self.places, self.known = {}, {}, []
+        for one in play["answers"]:
+            if one["form"] != "placement":
+                self.forms.setdefault(one["form"], []).append(one["answer"])
+                continue
+            answer = dict(one["answer"])
+            others = {other.get("id"): other for other in answer.pop("others", None) or []}
+            for index, (identifier, described) in enumerate(one["things"]):
+                said = answer if index == 0 else others.get(identifier)
+                if said:
+                    self.places.setdefault(identifier, []).append(said)
+                    self.known.append((described, identifier))
+        self.asked, self.own_seconds, self.sent, self.said = [], [], None, {}
+
+    def answer(self, question):
+        now, form = time.monotonic(), form_of(question)
+        if self.sent is not None:
+            self.own_seconds.append((form, now - self.sent))
+        self.asked.append(form)
+        answer = self.place(question) if form == "placement" else self.next_of(form)
+        self.sent = time.monotonic()
+        return json.dumps(answer)
+
+    def next_of(self, form):
+        left = self.forms.get(form, [])
+        return left.pop(0) if left else NOTHING.get(form, {})
+
+    def place(self, question):
+        answers = []
+        for identifier, described in things_asked(question):
+            said = self.said_of(identifier, described)
+            if said:
+                answers.append({**said, "id": identifier})
+                self.said[identifier] = said
+        first = answers[0] if answers else {}
+        return {**first, "others": answers[1:]}
+
+    def said_of(self, identifier, described):
+        alike = [name for words, name in self.known if words == described and name not in self.said]
+        for name in [identifier, *alike]:
+            if self.places.get(name):
+                left = self.places[name]
+                return left.pop(0) if len(left) > 1 else left[0]
+        return None
+
+
+def play_again(roomgen, play, folder):
+    designer = Designer(play)
+    server, url = chat_server(designer.answer, "played")
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    done = subprocess.run([roomgen, "--json", "generate", play["wish"], "--designer", "model", "--model", "played", "--base-url", url,
+                           "--no-fallback", "--no-pictures", "--seconds", "600", "--force", "-o", str(folder)],
+                          capture_output=True, text=True)  # fmt: skip
+    server.shutdown()
+    assert done.returncode == 0, f"{play['wish']}: {done.stderr}"
+    return designer, json.loads((folder / "scene.json").read_text())
+
+
+def figures_of(name, designer, scene):
+    objects = {o["id"]: o for o in scene["objects"]}
+    off = []
+    for identifier, said in designer.said.items():
+        if identifier in objects and said.get("location") and not said.get("leave_out"):
+            at = objects[identifier]["position"]
+            off.append(max(abs(a - b) for a, b in zip(at, said["location"])))
+    left = [identifier for identifier, said in designer.said.items() if identifier not in objects and not said.get("leave_out")]
+    requirements = scene.get("requirements", [])
+    return {
+        "name": name, "calls": len(designer.asked), "things": len(objects), "placed": len(off), "off": off,
+        "not there": left, "own": [seconds for _, seconds in designer.own_seconds],
+        "sheets": [seconds for form, seconds in designer.own_seconds if form == "choices"],
+        "met": sum(r["verdict"] == "met" for r in requirements), "not met": [r["clause"] for r in requirements if r["verdict"] == "not met"],
+    }  # fmt: skip
+
+
+def pack(recording, wish, file):
+    answers = []
+    for line in Path(recording).read_text().splitlines():
+        entry = json.loads(line)
+        if "reply" not in entry:
+            continue
+        request = entry["request"]
+        form = request["schema_name"]
+        question = {"messages": [{"content": m["text"]} for m in request["messages"]]}
+        text = entry["reply"]["text"]
+        try:
+            answer = json.loads(text[text.index("{"):text.rindex("}") + 1])
+        except ValueError:
+            continue
+        answers.append({"form": form, "answer": answer})
+        if form == "placement":
+            answers[-1]["things"] = things_asked(question)
+    lines = ",\n".join(json.dumps(one, ensure_ascii=False, separators=(",", ":")) for one in answers)
+    Path(file).write_text(f'{{"wish":{json.dumps(wish, ensure_ascii=False)},"answers":[\n{lines}\n]}}\n')
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("paths", nargs="+")
+    parser.add_argument("--plays", type=Path, default=PLAYS)
+    parser.add_argument("--figures", type=Path)
+    parser.add_argument("--pack", action="store_true")
+    arguments = parser.parse_args()
+    if arguments.pack:
+        return pack(*arguments.paths)
+    roomgen, out = arguments.paths
+    rooms = []
+    for file in sorted(arguments.plays.glob("*.json")):
+        figures = figures_of(file.stem, *play_again(roomgen, json.loads(file.read_text()), Path(out) / file.stem))
+        rooms.append(figures)
+        near = sum(off <= 0.05 for off in figures["off"])
+        print(f"{file.stem}: {figures['calls']} calls, {figures['things']} things, of {figures['placed']} places {near} within 5 cm, "
+              f"not there: {', '.join(figures['not there']) or 'none'}; own time {statistics.median(figures['own']):.2f} s a call, "
+              f"sheets {max(figures['sheets'], default=0):.2f} s; {figures['met']} clauses met, not: {'; '.join(figures['not met']) or 'none'}",
+              flush=True)  # fmt: skip
+    if arguments.figures:
+        arguments.figures.write_text(json.dumps(rooms, indent=1))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
