@@ -67,25 +67,60 @@ fs::path environment_folder(const char* variable) {
 }  // namespace
 
 struct Catalogue::Impl {
-  mutable std::mutex mutex;  // SQLite handles and the cache are used by one thread at a time
+  /// Where the mesh of an asset is.
+  struct Found {
+    const Shelf& shelf;
+    IndexedAsset asset;
+  };
+
+  mutable std::mutex mutex;  // SQLite handles, the cache and idle decoders are used by one thread at a time
   mutable std::vector<Shelf> shelves;
   mutable ModelCache models;
+  mutable std::vector<std::unique_ptr<decode::Decoder>> idle;  ///< each reads one mesh at a time
   LogSink log;
-  mutable decode::Decoder decoder;
+  decode::DecoderOptions decoding;
 
-  explicit Impl(const CatalogueOptions& options) : log(options.log), decoder(decoder_options(options)) {}
+  explicit Impl(const CatalogueOptions& options) : log(options.log), decoding(decoder_options(options)) {}
 
-  Result<std::shared_ptr<const Model>> read_model(Shelf& shelf, const IndexedAsset& asset) const;
+  Result<Found> find(const AssetRef& ref, const std::string& key) const;
+  Result<std::shared_ptr<const Model>> read_model(const Found& found) const;
+  std::unique_ptr<decode::Decoder> take_decoder() const;
 };
 
-Result<std::shared_ptr<const Model>> Catalogue::Impl::read_model(Shelf& shelf,
-                                                                 const IndexedAsset& asset) const {
-  if (!shelf.tree) {
-    auto tree = open_tree(shelf.path, {});  // warnings were given while indexing
-    if (!tree) return tree.error();
-    shelf.tree = std::make_unique<FileTree>(*std::move(tree));
+// With the mutex held.
+Result<Catalogue::Impl::Found> Catalogue::Impl::find(const AssetRef& ref, const std::string& key) const {
+  for (auto& shelf : shelves) {
+    if (shelf.library != ref.library || ref.procedural) continue;
+    auto row = find_row(shelf.database, ref.id);
+    if (!row) break;
+    if (!ref.sha256.empty() && ref.sha256 != row->info.ref.sha256)
+      roomgen::log(log, LogLevel::warning, key + ": its mesh has changed since it was chosen");
+    if (!shelf.tree) {
+      auto tree = open_tree(shelf.path, {});  // warnings were given while indexing
+      if (!tree) return tree.error();
+      shelf.tree = std::make_unique<FileTree>(*std::move(tree));
+    }
+    return Found{shelf, *std::move(row)};
   }
-  auto model = decoder.decode(*shelf.tree, asset.mesh, {});
+  return unknown(key);
+}
+
+std::unique_ptr<decode::Decoder> Catalogue::Impl::take_decoder() const {
+  const std::lock_guard lock(mutex);
+  if (idle.empty()) return std::make_unique<decode::Decoder>(decoding);
+  auto decoder = std::move(idle.back());
+  idle.pop_back();
+  return decoder;
+}
+
+Result<std::shared_ptr<const Model>> Catalogue::Impl::read_model(const Found& found) const {
+  const auto& [shelf, asset] = found;
+  auto decoder = take_decoder();
+  auto model = decoder->decode(*shelf.tree, asset.mesh, {});
+  {
+    const std::lock_guard lock(mutex);
+    idle.push_back(std::move(decoder));
+  }
   if (!model) return with_context(model.error(), shelf.library);
   SourceFrame frame;
   frame.ours_from_source = asset.ours_from_source;
@@ -110,19 +145,15 @@ Result<std::vector<AssetMatch>> Catalogue::search(const AssetQuery& query) const
 
 Result<std::shared_ptr<const Model>> Catalogue::load(const AssetRef& ref) const {
   const std::string key = asset_key(ref);
-  const std::lock_guard lock(impl_->mutex);
+  std::unique_lock lock(impl_->mutex);
   if (auto model = impl_->models.find(key)) return model;
-  for (auto& shelf : impl_->shelves) {
-    if (shelf.library != ref.library || ref.procedural) continue;
-    const auto row = find_row(shelf.database, ref.id);
-    if (!row) break;
-    if (!ref.sha256.empty() && ref.sha256 != row->info.ref.sha256)
-      log(impl_->log, LogLevel::warning, key + ": its mesh has changed since it was chosen");
-    auto model = impl_->read_model(shelf, *row);
-    if (model) impl_->models.add(key, *model);
-    return model;
-  }
-  return unknown(key);
+  const auto found = impl_->find(ref, key);
+  lock.unlock();  // meshes are read beside each other
+  if (!found) return found.error();
+  auto model = impl_->read_model(*found);
+  lock.lock();
+  if (model) impl_->models.add(key, *model);
+  return model;
 }
 
 Result<std::vector<AssetInfo>> Catalogue::all() const {

@@ -130,15 +130,17 @@ class FinishingLibrary final : public AssetLibrary {
   Result<std::shared_ptr<const Model>> load(const AssetRef& ref) const override {
     if (ref.finish.empty()) return library_->load(ref);
     const std::string key = asset_key(ref);
-    const std::lock_guard lock(mutex_);
+    std::unique_lock lock(mutex_);
     if (const auto known = models_.find(key); known != models_.end()) return known->second;
+    lock.unlock();  // several are read and painted beside each other
     AssetRef plain = ref;
     plain.finish.clear();
     auto loaded = library_->load(plain);
     if (!loaded) return loaded;
     Model model = **loaded;
     repaint(model, ref.finish, paints_);
-    return models_[key] = std::make_shared<const Model>(std::move(model));
+    lock.lock();
+    return models_.emplace(key, std::make_shared<const Model>(std::move(model))).first->second;
   }
 
  private:

@@ -1,8 +1,11 @@
 #include "offers.h"
 
 #include <algorithm>
+#include <atomic>
 #include <map>
+#include <thread>
 
+#include "base/threads.h"
 #include "design/asset_text.h"
 #include "evaluate/identity.h"
 #include "library/asset_object.h"
@@ -19,6 +22,7 @@ namespace {
 
 constexpr std::size_t most_offers = 60;
 constexpr std::size_t rows_of_offers = 10;
+constexpr unsigned most_threads = 4;
 constexpr int least_kind_rank = 3;  // of identity_rank(): it or a kind of it
 constexpr std::size_t longest_title = 110, longest_caption = 40;  // bytes
 // By these factors at most anything is stretched.
@@ -126,6 +130,24 @@ ContactSheet::Thing drawn(const AssetOffer& offer, std::size_t index) {
           shortened(size_text(offered.size) + " " + lower(offered.asset.name), longest_caption)};
 }
 
+// Meshes are read on all cores.
+ModelTable models_of(const AssetLibrary& library, const std::vector<ContactSheet::Row>& rows) {
+  std::map<std::string, AssetRef> assets;
+  for (const auto& row : rows)
+    for (const auto& thing : row.things) assets.emplace(asset_key(thing.object.asset), thing.object.asset);
+  const std::vector<std::pair<std::string, AssetRef>> wanted(assets.begin(), assets.end());
+  std::vector<std::shared_ptr<const Model>> read(wanted.size());
+  std::atomic<std::size_t> next{0};
+  on_threads(std::clamp(std::thread::hardware_concurrency(), 1u, most_threads), [&](std::size_t) {
+    for (std::size_t i; (i = next++) < wanted.size();)
+      if (auto model = load_model(library, wanted[i].second)) read[i] = *std::move(model);
+  });
+  ModelTable models;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (read[i]) models.add(wanted[i].first, std::move(read[i]));
+  return models;
+}
+
 }  // namespace
 
 Vec3 wanted_size(const Workplace& place, const PlanItem& item) {
@@ -207,13 +229,10 @@ Result<std::vector<Image>> pages_of(const Workplace& place,
                                     const std::vector<ContactSheet::Row>& rows,
                                     std::size_t rows_of_page, double most_row) {
   std::vector<Image> pages;
-  ModelTable models;
+  const ModelTable models = models_of(place.library, rows);
   ContactSheet sheet;
   sheet.most_row = most_row;
   for (const auto& row : rows) {
-    for (const auto& thing : row.things)
-      if (auto model = load_model(place.library, thing.object.asset))
-        models.add(asset_key(thing.object.asset), *std::move(model));
     sheet.rows.push_back(row);
     if (sheet.rows.size() < rows_of_page && &row != &rows.back()) continue;
     auto page = place.options.renderer->sheet(sheet, models);

@@ -3,8 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <limits>
-#include <map>
+#include <numeric>
 
 namespace roomgen {
 
@@ -42,18 +43,20 @@ bool is_unit(const Vec3f& n) {
   return n.allFinite() && std::abs(n.squaredNorm() - 1.0f) < 1e-3f;
 }
 
-// Triangles around each position; vertices at the same point count as one.
+// Vertices at the same point count as one.
 std::vector<std::uint32_t> weld(const Mesh& mesh) {
-  struct Less {
-    bool operator()(const Vec3f& a, const Vec3f& b) const {
-      return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-    }
+  const auto& at = mesh.positions;
+  const auto before = [&](std::uint32_t a, std::uint32_t b) {
+    for (int axis = 0; axis < 3; ++axis)  // no zero is below another; what is no number has its place, too
+      if (const auto order = std::strong_order(at[a][axis] + 0.0f, at[b][axis] + 0.0f); order != 0)
+        return order < 0;
+    return a < b;
   };
-  std::map<Vec3f, std::uint32_t, Less> seen;
-  std::vector<std::uint32_t> group(mesh.positions.size());
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-    group[v] = seen.try_emplace(mesh.positions[v], static_cast<std::uint32_t>(seen.size()))
-                   .first->second;
+  std::vector<std::uint32_t> sorted(at.size()), group(at.size());
+  std::iota(sorted.begin(), sorted.end(), 0u);
+  std::sort(sorted.begin(), sorted.end(), before);
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    group[sorted[i]] = i > 0 && at[sorted[i]] == at[sorted[i - 1]] ? group[sorted[i - 1]] : sorted[i];
   return group;
 }
 
@@ -95,9 +98,10 @@ void repair_normals(Mesh& mesh, double crease) {
 
   const auto group = weld(mesh);
   std::vector<std::vector<std::uint32_t>> faces_of_group(mesh.positions.size());
-  std::vector<Vec3f> face_normals;
+  std::vector<Vec3f> face_normals, unit_normals;
   for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
     face_normals.push_back(area_normal(mesh, mesh.triangles[f]));
+    unit_normals.push_back(face_normals.back().normalized());
     for (auto v : mesh.triangles[f]) faces_of_group[group[v]].push_back(f);
   }
   const float min_cosine = static_cast<float>(std::cos(crease));
@@ -106,12 +110,12 @@ void repair_normals(Mesh& mesh, double crease) {
   // crease. A vertex whose corners disagree is split.
   std::vector<bool> assigned(mesh.positions.size(), false);
   for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
-    const Vec3f own = face_normals[f].normalized();
+    const Vec3f own = unit_normals[f];
     for (auto& v : mesh.triangles[f]) {
       if (is_unit(mesh.normals[v]) && !assigned[v]) continue;
       Vec3f sum = Vec3f::Zero();
       for (auto other : faces_of_group[group[v]])
-        if (face_normals[other].normalized().dot(own) >= min_cosine) sum += face_normals[other];
+        if (unit_normals[other].dot(own) >= min_cosine) sum += face_normals[other];
       const Vec3f normal = sum.norm() > 0 ? Vec3f(sum.normalized()) : own;
       if (!assigned[v]) {
         mesh.normals[v] = normal;
