@@ -56,7 +56,7 @@ class Ledger {
     material("walls", brief_.materials.walls);
     material("ceiling", brief_.materials.ceiling);
     material("accent wall", finish_named(brief_.materials, accent_name));
-    for (auto& [requirement, words] : clauses_of_room(brief_, request_))
+    for (auto& [requirement, words] : clauses_of_room(brief_, request_, room_.type))
       add(std::move(requirement), words);
     return {std::move(requirements_), heard_words(request_.prompt, brief_, ids_by_words_)};
   }

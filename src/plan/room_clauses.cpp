@@ -6,6 +6,7 @@
 
 #include "brief/bound_mentions.h"
 #include "brief/prompt_passes.h"
+#include "brief/room_kinds.h"
 #include "library/style_words.h"
 #include "roomgen/base/text.h"
 #include "roomgen/geometry/polygon.h"
@@ -21,8 +22,8 @@ constexpr double least_long = 1.5;  ///< ratio of the sides of a "long" room; do
 
 class RoomClauses {
  public:
-  RoomClauses(const brief::Brief& brief, const PlanRequest& request)
-      : brief_(brief), request_(request) {}
+  RoomClauses(const brief::Brief& brief, const PlanRequest& request, const std::string& type)
+      : brief_(brief), request_(request), type_(type) {}
 
   std::vector<SaidClause> run() {
     room();
@@ -46,8 +47,8 @@ class RoomClauses {
     // A room of a kind that nobody knows may be anything.
     const bool is_kind = brief_.type_known && !brief_.type_inferred;
     if (const auto words = words_heard_as(brief_, Heard::As::room, "kind"); !words.empty())
-      of_room(is_kind ? "kind" : "character", brief::bounded_name(brief_.type), 0.0,
-              "a " + brief_.type, words);
+      of_room(is_kind ? "kind" : "character", brief::bounded_name(called()), 0.0, "a " + called(),
+              words);
     size();
     if (brief_.height)
       of_room("height", "", *brief_.height, format_number(*brief_.height, 2) + " m high",
@@ -63,6 +64,14 @@ class RoomClauses {
     seats();
     styles();
     remarks();
+  }
+
+  // A hair salon is a barber shop by another of its names.
+  const std::string& called() const {
+    const auto& kinds = brief::built_in_room_kinds();
+    if (!kinds) return brief_.type;
+    const auto& names = kinds->get(brief_.type).names;
+    return std::find(names.begin(), names.end(), type_) == names.end() ? brief_.type : type_;
   }
 
   void size() {
@@ -160,6 +169,7 @@ class RoomClauses {
 
   const brief::Brief& brief_;
   const PlanRequest& request_;
+  const std::string& type_;  ///< of the room that is planned
   std::vector<SaidClause> clauses_;
 };
 
@@ -173,8 +183,9 @@ std::vector<std::size_t> words_heard_as(const brief::Brief& brief, Heard::As as,
   return result;
 }
 
-std::vector<SaidClause> clauses_of_room(const brief::Brief& brief, const PlanRequest& request) {
-  return RoomClauses(brief, request).run();
+std::vector<SaidClause> clauses_of_room(const brief::Brief& brief, const PlanRequest& request,
+                                        const std::string& type) {
+  return RoomClauses(brief, request, type).run();
 }
 
 }  // namespace roomgen::plan

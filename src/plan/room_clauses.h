@@ -17,7 +17,9 @@ struct SaidClause {
 };
 
 /// What is asked of the room itself: its kind, sides, shape, openings, seats, style, and what nothing in it can show.
-std::vector<SaidClause> clauses_of_room(const brief::Brief& brief, const PlanRequest& request);
+/// `type`: what the plan calls the room.
+std::vector<SaidClause> clauses_of_room(const brief::Brief& brief, const PlanRequest& request,
+                                        const std::string& type);
 
 /// The words that were heard as that and are said of no thing, by Brief::heard.
 std::vector<std::size_t> words_heard_as(const brief::Brief& brief, Heard::As as,
