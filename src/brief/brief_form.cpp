@@ -176,7 +176,8 @@ FormName name_in_form(const std::string& name, const KindTable& table) {
   };
   for (std::size_t i = 0; i < tokens.size(); ++i)
     if (KindMention found = mention_at(table, tokens, i);
-        found.length > 0 && i + found.length == tokens.size())
+        found.length > 0 && i + found.length == tokens.size() &&
+        (i == 0 || !table.only_resembles(found.name)))
       return {std::move(found), before(i)};
   for (std::size_t i = 0; i < tokens.size(); ++i)
     for (const NounKind& meant : {misspelt_kind(table, behind(i)), inferred_kind(table, behind(i))})

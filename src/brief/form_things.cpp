@@ -125,6 +125,8 @@ class FormThings {
     phrase.at_least = bound == MeasureLimit::least, phrase.at_most = bound == MeasureLimit::most;
     phrase.article = true;
     FormName named = name_in_form(name, form_.table);
+    // A model spells what it means: its minbar is no minibar.
+    if (!form_.is_rules && named.kind.basis == NounBasis::spelling) named = {};
     phrase.kind = named.kind;
     phrase.naming = named.sort;
     if (phrase.kind.length == 0) phrase.noun = name;

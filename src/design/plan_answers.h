@@ -1,6 +1,6 @@
 #pragma once
 
-#include "brief/kind_mention.h"
+#include "item_kind.h"
 #include "plan/inventory.h"
 #include "roomgen/design/designer.h"
 
@@ -20,17 +20,6 @@ Room read_reply_room(const Json& json, const PlanRequest& request, const brief::
 
 /// The part of an answer about the room: often its members stand beside it.
 const Json& room_part(const Json& json);
-
-/// What the objects of an answer are named after.
-struct ItemLexicon {
-  const KindTable& table;
-  const brief::RoomKind& kind;  ///< of the room: what a "sink" is depends on it
-};
-
-/// The canonical category that a name means, else what its description begins with; empty if
-/// neither names one.
-std::string category_named(const std::string& name, const std::string& description,
-                           const ItemLexicon& lexicon);
 
 /// The objects of an answer as drafts; draft i is mention i. What stands on others demands them.
 /// The things of `groups`, a list or null, are among them, with the id of their group and what they

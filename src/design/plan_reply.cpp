@@ -50,7 +50,7 @@ std::vector<std::string> read_excluded(const Json& json, const brief::Brief& bri
   if (!list || !list->is_array()) return excluded;
   for (const auto& element : *list) {
     if (!element.is_string() || excluded.size() >= max_excluded) continue;
-    const std::string kind = category_named(element.get<std::string>(), "", lexicon);
+    const std::string kind = kind_of({element.get<std::string>()}, lexicon);
     if (!kind.empty() && std::find(excluded.begin(), excluded.end(), kind) == excluded.end())
       excluded.push_back(kind);
   }

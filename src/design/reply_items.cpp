@@ -2,11 +2,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 
-#include "brief/brief_form.h"
 #include "brief/reply_measure.h"
 #include "chat/loose_json.h"
+#include "item_kind.h"
 #include "plan_answers.h"
 #include "roomgen/base/text.h"
 
@@ -53,26 +52,6 @@ struct SideWord {
 constexpr SideWord side_words[] = {{"width", 0},  {"w", 0},     {"x", 0}, {"length", 1},
                                    {"l", 1},      {"depth", 1}, {"d", 1}, {"y", 1},
                                    {"height", 2}, {"h", 2},     {"z", 2}, {"thickness", 1}};
-
-bool has_digits_only(const std::string& word) {
-  return word.find_first_not_of("0123456789") == std::string::npos;
-}
-
-// "Bed_1" is a bed.
-std::string plain_name(const std::string& name) {
-  auto pieces = words(name);
-  if (pieces.size() > 1 && has_digits_only(pieces.back())) pieces.pop_back();
-  return shortened(join(pieces, " "), max_words);
-}
-
-// The first kind that is named in a text.
-std::string first_kind(const std::string& text, const KindTable& table) {
-  const auto tokens = brief::tokenize(text);
-  for (std::size_t i = 0; i < tokens.size(); ++i)
-    if (const brief::KindMention match = brief::mention_at(table, tokens, i); match.length > 0)
-      return match.category->name;
-  return "";
-}
 
 // A name that says more than the kind stands with what is said of it: "pie case, chrome".
 std::string told_with_name(const std::string& name, const std::string& description,
@@ -175,17 +154,19 @@ class ItemReader {
 
     plan::Draft draft;
     PlanItem& item = draft.item;
-    item.category = category_named(name, description, lexicon_);
-    if (item.category.empty()) {
-      item.category = plain_name(name);
+    item.category = category_of({name, description});
+    const bool is_sized = read_size(value, item);
+    const auto mount = said_mount(value);
+    // Now that it is known how large it is and where.
+    if (is_sized || mount)
+      item.category = category_of({name, description, is_sized ? item.size : std::nullopt, mount});
+    if (!lexicon_.table.find(item.category))
       note("\"" + item.category + "\" is no known kind of thing");
-    }
     item.description = shortened(told_with_name(plain_name(name), description, item.category), max_description);
     item.quantity = quantity_of(value, item.category);
     const Json* variance = member(value, variance_keys);
     item.varied = variance && (*variance == Json(true) || text_in(variance).starts_with("var") ||
                                text_in(variance).starts_with("diff"));
-    read_size(value, item);
     std::string on = group_.empty() ? read_mount(value, item) : usual_mount(item);
     read_height(value, item);
     if (!group_.empty() && item.mount == Mount::wall && stands_by_size(item)) item.mount = Mount::floor;
@@ -202,6 +183,7 @@ class ItemReader {
     objects_ += item.quantity;
     drafts_.push_back(std::move(draft));
     carriers_.push_back(std::move(on));
+    names_.push_back(plain_name(name));
     const std::size_t self = drafts_.size() - 1;
     if (const Json* top = member(value, on_top_keys)) read_list(*top, self, nesting + 1);
   }
@@ -218,7 +200,21 @@ class ItemReader {
     return kept;
   }
 
-  void read_size(const Json& value, PlanItem& item) {
+  std::string category_of(const SaidThing& thing) const {
+    const std::string kind = kind_of(thing, lexicon_);
+    return kind.empty() ? plain_name(thing.name) : kind;
+  }
+
+  // Where its place is said to be, unless that is another thing.
+  static std::optional<Mount> said_mount(const Json& value) {
+    for (const auto& piece : words(text_in(member(value, spot_keys))))
+      for (const auto& known : place_words)
+        if (piece == known.word) return known.mount;
+    return std::nullopt;
+  }
+
+  // Whether it is said.
+  bool read_size(const Json& value, PlanItem& item) {
     const Kind* kind = lexicon_.table.spelled(item.category);
     if (kind) item.size = kind->size;
     const Json* given = member(value, size_keys);
@@ -229,7 +225,7 @@ class ItemReader {
     if (std::isnan(sides.x() + sides.y())) {
       if (given) note("the size of the " + item.category + " is not three numbers");
       if (!item.size) item.size = lexicon_.table.get(item.category).size;
-      return;
+      return false;
     }
     const bool in_units = std::any_of(measures.begin(), measures.end(),
                                       [](const brief::Measure& m) { return m.has_unit; });
@@ -238,6 +234,7 @@ class ItemReader {
     const Vec3 bounded = sides.cwiseMax(least_side).cwiseMin(greatest_side);
     if (bounded != sides) note("the size of the " + item.category + " was bounded");
     item.size = bounded;
+    return true;
   }
 
   // How high the lower edge of what hangs is; by how much what stands leans against a wall.
@@ -265,15 +262,10 @@ class ItemReader {
 
   // Sets the mount; the answer is the name of what carries it.
   std::string read_mount(const Json& value, PlanItem& item) {
-    item.mount = lexicon_.table.get(item.category).mount;
+    const auto mount = said_mount(value);
+    item.mount = mount.value_or(lexicon_.table.get(item.category).mount);
     const auto pieces = words(text_in(member(value, spot_keys)));
-    for (const auto& piece : pieces)
-      for (const auto& known : place_words)
-        if (piece == known.word) {
-          item.mount = known.mount;
-          return "";
-        }
-    if (pieces.empty()) return "";
+    if (mount || pieces.empty()) return "";
     const bool on = pieces.front() == "on" || member(value, {"on"});
     if (!on) {
       note("the place \"" + shortened(join(pieces, " "), max_words) + "\" is not known");
@@ -296,14 +288,15 @@ class ItemReader {
   void resolve_carrier(std::size_t i) {
     const std::string name = plain_name(carriers_[i]);
     if (name.empty()) return;
-    const std::string kind = category_named(name, "", lexicon_);
-    for (std::size_t j = 0; j < drafts_.size(); ++j) {
-      const std::string& other = drafts_[j].item.category;
-      if (j == i || (other != name && (kind.empty() || !lexicon_.table.is_a(other, kind))))
-        continue;
-      drafts_[i].item.mount = Mount::surface;
-      return carry(drafts_[i], j);
-    }
+    const std::string kind = kind_of({name}, lexicon_);
+    for (const bool by_name : {true, false})
+      for (std::size_t j = 0; j < drafts_.size(); ++j) {
+        const std::string& other = drafts_[j].item.category;
+        const bool is_kind = other == name || (!kind.empty() && lexicon_.table.is_a(other, kind));
+        if (j == i || !(by_name ? names_[j] == name : is_kind)) continue;
+        drafts_[i].item.mount = Mount::surface;
+        return carry(drafts_[i], j);
+      }
     note("\"" + name + "\", which shall carry the " + drafts_[i].item.category +
          ", is not among the objects");
   }
@@ -312,28 +305,12 @@ class ItemReader {
   std::vector<std::string>& repairs_;
   std::vector<plan::Draft> drafts_;
   std::vector<std::string> carriers_;  ///< by name, of the drafts
+  std::vector<std::string> names_;     ///< as said, of the drafts
   std::string group_;                  ///< whose things are read
   int objects_ = 0;
 };
 
 }  // namespace
-
-std::string category_named(const std::string& name, const std::string& description,
-                           const ItemLexicon& lexicon) {
-  const std::string plain = plain_name(name);
-  if (const auto meant = lexicon.kind.means.find(plain); meant != lexicon.kind.means.end())
-    return meant->second;
-  if (const Kind* category = lexicon.table.find(plain)) return category->name;
-  // As a wish that says so is read: English puts the kind last, a "pie case" is no pie.
-  if (const auto named = brief::name_in_form(plain, lexicon.table).kind; named.length > 0)
-    return named.is_stand_in() ? named.name : named.category->name;
-  // A name that says nothing leaves it to the description; any other is its own kind.
-  const std::set<std::string> says_nothing = {"object", "item", "thing", "piece", "furniture", "asset", "prop"};
-  const auto pieces = words(plain);
-  return !pieces.empty() && says_nothing.count(pieces.front()) + says_nothing.count(pieces.back()) > 0
-             ? first_kind(shortened(description, max_description), lexicon.table)
-             : "";
-}
 
 std::string reply_group_id(const Json& group, std::size_t number) {
   const std::string said = group.is_object() ? text_in(member(group, {"id", "name", "group"})) : "";

@@ -20,10 +20,6 @@ constexpr std::size_t most_words = 24;      // of a text that may be a name
 constexpr std::size_t most_find_words = 20;  // of one whose endings are tried
 constexpr int most_ancestors = 16;
 
-std::string joined(const std::vector<std::string>& pieces, std::size_t first = 0) {
-  return join({pieces.begin() + static_cast<std::ptrdiff_t>(first), pieces.end()}, " ");
-}
-
 std::vector<std::string> as_written(std::vector<std::string> pieces) {
   return pieces;
 }
@@ -200,7 +196,7 @@ const KindTable::Name* KindTable::look_up(std::string_view name) const {
   const auto pieces = words(name);
   if (pieces.empty() || pieces.size() > most_words) return nullptr;
   for (const auto form : {as_written, last_in_singular, in_singular})
-    if (const auto found = names_.find(joined(form(pieces))); found != names_.end()) return &found->second;
+    if (const auto found = names_.find(join(form(pieces), " ")); found != names_.end()) return &found->second;
   return nullptr;
 }
 
@@ -243,11 +239,13 @@ const Kind& KindTable::planned(const Kind& kind) const {
 
 const Kind* KindTable::find(std::string_view name) const {
   if (const Kind* found = spelled(name)) return found;
-  const auto pieces = words(name);
-  if (pieces.size() > most_find_words) return nullptr;
-  // The whole name, then without its first word, and so on: English puts the kind last.
-  for (std::size_t first = 0; first < pieces.size(); ++first)
-    if (const Kind* found = named(joined(pieces, first))) return &planned(*found);
+  if (words(name).size() > most_find_words) return nullptr;
+  if (const Kind* found = named(name)) return &planned(*found);
+  // Then without its first word, and so on: English puts the kind last. A scent organ does not look
+  // like what is told to be like an organ.
+  for (std::size_t at = name.find(' '); at != std::string_view::npos; at = name.find(' ', at + 1))
+    if (const std::string_view ending = name.substr(at + 1); !only_resembles(ending))
+      if (const Kind* found = named(ending)) return &planned(*found);
   return nullptr;
 }
 

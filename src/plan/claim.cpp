@@ -32,6 +32,13 @@ bool is_alike(const PlanItem& item, const std::string& asked, const KindTable& t
   return (size.array() < alike_in_size * wanted.array()).all() && (wanted.array() < alike_in_size * size.array()).all();
 }
 
+// Of no known kind, but called by the same noun: the "scent-organ" is the organ.
+bool is_named_so(const PlanItem& item, const brief::Mention& mention, const KindTable& table) {
+  if (table.find(item.category)) return false;
+  const auto own = words(item.category), noun = words(mention.noun);
+  return !own.empty() && !noun.empty() && singular(own.back()) == singular(noun.back());
+}
+
 std::string numbered(int count, const std::string& name) {
   return count == 1 ? "a " + name : std::to_string(count) + " " + name;
 }
@@ -54,16 +61,20 @@ Claim claim(const Plan& plan, const brief::Brief& brief, const KindTable& table)
     for (std::size_t m = 0; m < lacking.size(); ++m)
       for (std::size_t i = 0; i < plan.items.size() && lacking[m] > 0; ++i)
         if (result.mention_of[i] == brief::Demand::none &&
-            fits(plan.items[i], brief.mentions[m].category)) {
+            fits(plan.items[i], brief.mentions[m])) {
           result.mention_of[i] = m;
           lacking[m] -= plan.items[i].quantity;
         }
   };
-  give([](const PlanItem& item, const std::string& asked) { return item.category == asked; });
-  give([&](const PlanItem& item, const std::string& asked) {
-    return table.is_a(item.category, asked) || table.is_a(asked, item.category);
+  give([](const PlanItem& item, const brief::Mention& asked) {
+    return item.category == asked.category;
   });
-  give([&](const PlanItem& item, const std::string& asked) { return is_alike(item, asked, table); });
+  give([&](const PlanItem& item, const brief::Mention& asked) {
+    return table.is_a(item.category, asked.category) || table.is_a(asked.category, item.category);
+  });
+  give([&](const PlanItem& item, const brief::Mention& asked) {
+    return is_alike(item, asked.category, table) || is_named_so(item, asked, table);
+  });
   for (std::size_t m = 0; m < lacking.size(); ++m)
     if (lacking[m] > 0) result.forgotten.push_back({m, lacking[m]});
   return result;
@@ -119,7 +130,13 @@ void fulfil(const PlanRequest& request, const Claim& claim, const brief::Brief& 
     plan.notes.push_back(numbered(one.lacking, draft->item.description) +
                          ": asked for and not planned; added by rules");
   }
-  auto ledger = ledger_of(request, brief, drafts_of(mention_of), plan);
+  // What it is says who designed it: a counter need not be a kitchen's.
+  brief::Brief designed = brief;
+  for (std::size_t i = 0; i < plan.items.size(); ++i)
+    if (const std::size_t m = mention_of[i]; m != brief::Demand::none)
+      if (is_named_so(plan.items[i], brief.mentions[m], table))
+        designed.mentions[m].category = plan.items[i].category;
+  auto ledger = ledger_of(request, designed, drafts_of(mention_of), plan);
   plan.requirements = std::move(ledger.requirements);
   plan.heard = std::move(ledger.heard);
 }

@@ -132,6 +132,29 @@ TEST_CASE("A thing is what its name ends with, whatever else its name and descri
   }
 }
 
+TEST_CASE("A thing that shares a word with a kind, but neither its size nor its sort, is a kind of its own") {
+  const auto kind = [](const std::string& thing, const std::string& room = "salon") {
+    return read(R"({"room": {"type": ")" + room + R"(", "size_m": [9, 9], "height_m": 4}, "objects": [)" +
+                thing + "]}").plan.items.front().category;
+  };
+  CHECK(kind(R"({"name": "scent organ", "size_cm": [200, 110, 135],
+                 "description": "perfumer's organ, walnut"})") == "scent-organ");
+  CHECK(kind(R"({"name": "boiler", "size_cm": [130, 130, 240],
+                 "description": "riveted copper steam boiler, brass face"})") == "steam-boiler");
+  CHECK(kind(R"({"name": "boiler", "size_cm": [45, 45, 90]})") == "water heater");
+  CHECK(kind(R"({"name": "glass counter", "size_cm": [150, 52, 95]})") == "glass-counter");
+  CHECK(kind(R"({"name": "tiled counter", "size_cm": [150, 62, 90]})", "kitchen") == "kitchen counter");
+  CHECK(kind(R"({"name": "minbar", "description": "carved minbar of twelve steps"})") == "minbar");
+  CHECK(kind(R"({"name": "milking stool", "size_cm": [34, 34, 38]})") == "stool");
+  CHECK(kind(R"({"name": "mural", "size_cm": [300, 2, 220]})") == "picture");
+  CHECK(kind(R"({"name": "crystal chandelier", "size_cm": [220, 220, 240]})") == "chandelier");
+  // It is still what the wish asks for.
+  const auto reply = read(R"({"objects": [{"name": "glass counter", "size_cm": [150, 52, 95],
+    "on_top": [{"name": "vase"}]}, {"name": "bowl", "place": "on glass counter"}]})");
+  CHECK(reply.plan.items[1].on == "glass-counter");
+  CHECK(reply.plan.items[2].on == "glass-counter");
+}
+
 TEST_CASE("Objects are understood however they are written") {
   struct Written {
     const char* object;
