@@ -2,6 +2,7 @@
 
 #include "evaluate/finding.h"
 #include "evaluate/ledger.h"
+#include "scene/finish_words.h"
 
 namespace roomgen {
 
@@ -48,6 +49,15 @@ Finding judge_room(const Requirement& requirement, const Room& room);
 /// Can so many people sit (scene/attribute_names.h)? A chair or a stool seats one, a wider seat one
 /// on each 0.6 m.
 Finding judge_seats(const Requirement& requirement, const Scene& scene, const KindTable& kinds);
+
+/// What is seen of a part of a room that is covered with `worn` instead of what was asked: "partly:
+/// drawn as grey metal plates; nothing draws "riveted"". Empty if all of it is.
+std::string finish_fault(std::string_view asked, std::string_view worn, RoomPart part,
+                         std::string_view room_type);
+
+/// Is a room lit as a clause of its light says ("bright noon", "candlelight")? Not judged if it
+/// speaks of no light.
+Finding judge_light(const std::string& said, const Lighting& light);
 
 /// The attributes of requirements of Kind::room about how a room looks as a whole; their category
 /// is the style, or the colours and stuffs.

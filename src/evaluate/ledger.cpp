@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "clauses.h"
 #include "finding.h"
@@ -12,7 +13,6 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "scene/attribute_names.h"
-#include "scene/finish_words.h"
 #include "scene/judgement.h"
 
 namespace roomgen {
@@ -77,8 +77,7 @@ class Checker {
       case Requirement::Kind::count:
         return judge_count(requirement);
       case Requirement::Kind::attribute:
-        if (const auto material = material_of(requirement))
-          return by_fault(says_all(*material, requirement.attribute) ? "" : "it is \"" + *material + "\"");
+        if (is_of_shell(requirement)) return by_fault(shell_fault(requirement));
         if (is_formation(requirement)) return judge_formation(requirement);
         return each(requirement,
                     [&](const Object& object) { return judge_attribute(requirement, object); });
@@ -186,25 +185,32 @@ class Checker {
     return "its " + side + " is " + format_number(there, 2) + " m";
   }
 
-  // What the part of the room is covered with that a clause speaks of; none for things.
-  std::optional<std::string> material_of(const Requirement& said) const {
-    const RoomMaterials& materials = scene_.room.materials;
-    if (said.category == "floor") return materials.floor;
-    if (said.category == "walls") return materials.walls;
-    if (said.category == "ceiling") return materials.ceiling;
-    if (said.category != "accent wall") return std::nullopt;
-    // Whichever wall it is.
-    for (const auto& cover : materials.covers)
-      if (says_all(cover.finish, said.attribute)) return cover.finish;
-    return finish_named(materials, accent_name);
+  static bool is_of_shell(const Requirement& said) {
+    static const std::set<std::string_view> parts = {"floor", "walls", "ceiling", "accent wall"};
+    return parts.count(said.category) > 0;
   }
-
-  // "Oak parquet" is worn as "honey oak parquet floor", too; which part it is of is known.
-  static bool says_all(const std::string& finish, const std::string& asked) {
-    const auto worn = words(finish), wanted = words(asked);
-    return std::all_of(wanted.begin(), wanted.end(), [&](const std::string& word) {
-      return finish_words().parts.count(word) || std::find(worn.begin(), worn.end(), word) != worn.end();
-    });
+  // What viewers see of a part of the room instead of what was asked; of walls on none of those
+  // that may be meant.
+  std::string shell_fault(const Requirement& said) const {
+    const Room& room = scene_.room;
+    const RoomMaterials& materials = room.materials;
+    const auto fault = [&](const std::string& worn, RoomPart part) {
+      return finish_fault(said.attribute, worn, part, room.type);
+    };
+    if (said.category == "floor") return fault(materials.floor, RoomPart::floor);
+    if (said.category == "ceiling") return fault(materials.ceiling, RoomPart::ceiling);
+    const bool is_accent = said.category == "accent wall";
+    const std::string first = fault(
+        is_accent ? finish_named(materials, accent_name) : materials.walls, RoomPart::walls);
+    const bool is_shown =
+        std::any_of(materials.covers.begin(), materials.covers.end(), [&](const WallCover& cover) {
+          const bool is_lower = cover.lower && !cover.lower->finish.empty() &&
+                                fault(cover.lower->finish, RoomPart::walls).empty();
+          const bool is_meant = is_accent ? !cover.wall.empty() : cover.wall.empty();
+          return is_meant && (is_lower || (!cover.finish.empty() &&
+                                           fault(cover.finish, RoomPart::walls).empty()));
+        });
+    return is_shown ? "" : first;
   }
 
   // Without the things of which another count speaks: "four novels and two art books".

@@ -95,6 +95,7 @@ Finding judge_room(const Requirement& requirement, const Room& room) {
                         ? ""
                         : metres(box.maxCoeff()) + " by " + metres(box.minCoeff()));
   }
+  if (what == "character") return judge_light(requirement.category, room.light);
   return {Compliance::not_judged, "nothing measures it"};
 }
 

@@ -10,16 +10,20 @@ namespace roomgen {
 
 namespace {
 
-// Does a part of the room have it by its material: "navy walls"?
+// Does a part of the room show it: "navy walls"?
 bool is_of_room(const std::string& word, const Room& room) {
   const RoomMaterials& materials = room.materials;
-  std::vector<std::string> said = {materials.floor, materials.walls, materials.ceiling};
-  for (const auto& cover : materials.covers)
-    said.push_back(cover.finish + (cover.lower ? " " + cover.lower->finish : ""));
-  return std::any_of(said.begin(), said.end(), [&](const std::string& material) {
-    const auto said_words = words(material);
-    return std::find(said_words.begin(), said_words.end(), word) != said_words.end();
-  });
+  std::vector<std::string> walls = {materials.walls};
+  for (const auto& cover : materials.covers) {
+    walls.push_back(cover.finish);
+    if (cover.lower) walls.push_back(cover.lower->finish);
+  }
+  const auto shows = [&](const std::string& worn, RoomPart part) {
+    return !worn.empty() && finish_fault(word, worn, part, room.type).empty();
+  };
+  return shows(materials.floor, RoomPart::floor) || shows(materials.ceiling, RoomPart::ceiling) ||
+         std::any_of(walls.begin(), walls.end(),
+                     [&](const std::string& worn) { return shows(worn, RoomPart::walls); });
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ FinishWords::Words<RoomPart> read_parts(const JsonReader& json) {
 
 Surface read_surface(const std::string& name, const JsonReader& json) {
   json.allow_only(
-      {"names", "pattern", "tone", "second", "roughness", "on floors", "on walls", "on ceilings"});
+      {"names", "resembles", "alternating", "pattern", "tone", "second", "roughness", "on floors",
+       "on walls", "on ceilings"});
   Surface surface;
   surface.name = name;
   if (const auto pattern = json["pattern"]; pattern.exists()) {
@@ -48,6 +49,7 @@ Surface read_surface(const std::string& name, const JsonReader& json) {
   surface.tone = read_tone(json["tone"]);
   surface.second = json["second"].exists() ? read_tone(json["second"]) : Tone(0.8f * surface.tone);
   surface.roughness = json["roughness"].number_or(0.9, 0.0, 1.0);
+  if (json["alternating"].exists()) surface.alternating = json["alternating"].text();
   const std::pair<const char*, RoomPart> elsewhere[] = {{"on floors", RoomPart::floor},
                                                         {"on walls", RoomPart::walls},
                                                         {"on ceilings", RoomPart::ceiling}};
@@ -107,8 +109,10 @@ void check_references(const FinishWords& words, const JsonReader& root) {
   const auto check = [&](const std::string& surface, const JsonReader& where) {
     if (!words.surfaces.count(surface)) where.report("\"" + surface + "\" is no surface");
   };
-  for (const auto& [name, surface] : words.surfaces)
+  for (const auto& [name, surface] : words.surfaces) {
     for (const auto& [part, other] : surface.instead) check(other, root["surfaces"][name]);
+    if (!surface.alternating.empty()) check(surface.alternating, root["surfaces"][name]);
+  }
   for (const auto& [word, substance] : words.substances)
     check(substance.surface, root["substances"][word]);
   for (const auto& [part, entries] : words.usual)
@@ -132,9 +136,12 @@ Result<FinishWords> parse_finish_words(std::string_view text, const std::string&
   FinishWords words;
   for (const auto& [name, entry] : root["surfaces"].members()) {
     words.surfaces[name] = read_surface(name, entry);
-    for (const auto& phrase : entry["names"].elements(200))
-      if (!words.surface_names.try_emplace(phrase.text(), name).second)
-        phrase.report("\"" + phrase.text() + "\" is named twice");
+    for (const char* key : {"names", "resembles"})
+      for (const auto& phrase : entry[key].elements_or_none(200)) {
+        if (!words.surface_names.try_emplace(phrase.text(), name).second)
+          phrase.report("\"" + phrase.text() + "\" is named twice");
+        if (key == std::string_view("resembles")) words.likenesses.insert(phrase.text());
+      }
   }
   for (const auto& [word, entry] : root["substances"].members()) {
     entry.allow_only({"tone", "surface"});

@@ -26,6 +26,7 @@ struct Surface {
   Tone second = Tone::Constant(160);      ///< of the pattern's other half, or its joints
   double roughness = 0.9;
   std::map<RoomPart, std::string> instead;  ///< what it becomes on parts that do not wear it
+  std::string alternating;  ///< the surface that it is in two colours; empty: it is in the first
 };
 
 /// A stuff that is named for both its tone and its surface: oak is boards.
@@ -54,6 +55,7 @@ struct FinishWords {
 
   Words<Surface> surfaces;
   Words<std::string> surface_names;  ///< one word or several, to the name of a surface
+  std::set<std::string, std::less<>> likenesses;  ///< of them those that the surface does not show
   Words<Substance> substances;
   Words<Tone> basic_colors;  ///< "green", which says less than "sage"
   Words<Tone> colors;

@@ -137,9 +137,45 @@ TEST_CASE("Materials are those of the room") {
   requirement.attribute = "oak floor";
   CHECK(check(requirement).met());
   requirement.attribute = "walnut floor";
-  CHECK(check(requirement).reason.find("oak floor") != std::string::npos);
+  CHECK(check(requirement).reason == "partly: drawn as beige boards");
   requirement.category = "accent wall";
   CHECK_FALSE(check(requirement).met());
+}
+
+TEST_CASE("A finish is what is drawn, whatever it is called") {
+  Scene scene = bedroom();
+  const auto fault = [&](const std::string& part, const std::string& asked, const std::string& worn) {
+    auto& materials = scene.room.materials;
+    (part == "floor" ? materials.floor : part == "walls" ? materials.walls : materials.ceiling) = worn;
+    auto wanted = about(Requirement::Kind::attribute, part, {});
+    wanted.attribute = asked;
+    const auto never = [](const Object&, const std::string&) { return AttributeVerdict{}; };
+    return check_requirements({&wanted, 1}, scene, KindTable::built_in(), never).front().reason;
+  };
+  CHECK(fault("floor", "riveted iron", "dark metal plates floor") ==
+        "partly: drawn as grey metal plates; nothing draws \"riveted\"");
+  CHECK(fault("floor", "terrazzo", "white terrazzo floor").find("\"terrazzo\"") != std::string::npos);
+  CHECK(fault("floor", "pebbled", "dark grey pebbles floor") != "");
+  CHECK(fault("ceiling", "white with black dashes", "white with black dashes") ==
+        "partly: drawn as white, plain; nothing draws \"dashes\"");
+  CHECK(fault("walls", "lilac silk", "plain lilac silk walls").starts_with("partly: "));
+  CHECK(fault("walls", "pink", "dusty rose plaster") == "");
+  CHECK(fault("walls", "pink", "sage green walls") != "");
+  CHECK(fault("walls", "cobalt and yellow tiles", "cobalt blue and yellow talavera tiles") == "");
+  CHECK(fault("walls", "blue", "cobalt blue plaster") == "");
+  CHECK(fault("walls", "cobalt tiles", "white tiles") != "");
+  CHECK(fault("floor", "parquet", "honey oak herringbone parquet floor") == "");
+  CHECK(fault("floor", "wide oak boards", "wide oak boards") == "");
+  CHECK(fault("floor", "black and white checkerboard", "white black checkerboard") == "");
+}
+
+TEST_CASE("Light is as it is lit") {
+  const Lighting night{22.0, Sky::night, 8.0, 1800.0, {}};
+  CHECK(judge_light("candlelight", night).compliance == Compliance::met);
+  CHECK(judge_light("bright noon", night).compliance == Compliance::not_met);
+  CHECK(judge_light("soft starry night-light", night).reason ==
+        "partly: lit at 22 h, night, 8 lx, 1800 K; nothing shows \"starry night\"");
+  CHECK(judge_light("fills one corner", night).compliance == Compliance::not_judged);
 }
 
 TEST_CASE("Attributes are judged by who knows them, absences by what is there") {
