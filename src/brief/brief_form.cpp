@@ -69,8 +69,7 @@ Form::Form(FormNode node, const FormContext& context, BriefReading& reading)
       kinds(context.kinds),
       table(context.table),
       result(reading),
-      brief(reading.brief),
-      is_rules(context.author == FormAuthor::roomgen) {}
+      brief(reading.brief) {}
 
 bool Form::remark(const FormNode& clause, std::uint32_t near) {
   const auto said = quoted_as_one(clause["words"], near);
@@ -136,14 +135,7 @@ std::optional<language::Run> Form::quoted_as_one(const FormNode& words, std::uin
 std::size_t Form::hear_as_one(const FormNode& clause, Heard::As usual, std::uint32_t near) {
   const auto all = quoted_as_one(clause["words"], near);
   if (!all) return HeardWords::none;
-  Heard::As as = usual;
-  for (const auto one : {Heard::As::thing, Heard::As::count, Heard::As::attribute,
-                         Heard::As::relation, Heard::As::absence})
-    if (clause["as"].text() == name(one)) as = one;
-  return entry(*all, as,
-               clause["about"]               ? clause["about"].text()
-               : usual == Heard::As::absence ? said_limit
-                                             : "");
+  return entry(*all, usual, usual == Heard::As::absence ? said_limit : "");
 }
 
 std::vector<language::Run> Form::next_words(const FormNode& node) {
@@ -226,11 +218,6 @@ class FormRoom {
     const FormNode room = form_.root["room"];
     brief_.type = lower(room["type"].text());
     const auto heard = form_.hear(room["words"], Heard::As::room, "kind", 0);
-    if (form_.is_rules) {
-      brief_.type_known = room["rules"]["known"].flag();
-      brief_.type_inferred = room["rules"]["inferred"].flag();
-      return;
-    }
     const auto names = room_names(form_.kinds);
     const std::string plain = join(words(brief_.type), " ");
     if (const auto known = names.find(plain); known != names.end()) brief_.type = known->second;
@@ -322,42 +309,30 @@ class FormRoom {
   }
 
   // Windows of which no more is said than how many there are.
-  bool is_plain(const FormNode& node, const OpeningWish& wish) const {
-    if (form_.is_rules) return node["rules"]["plain"].flag();
+  static bool is_plain(const OpeningWish& wish) {
     return wish.kind == "window" && !wish.has_place() && !wish.width && !wish.height;
   }
 
   void add_opening(const FormNode& node, const OpeningWish& wish) {
-    if (is_plain(node, wish)) return add_windows(node, wish.count);
+    if (is_plain(wish)) return add_windows(node, wish.count);
     if (wish.count == 0) return void(form_.remark(node, 0));
     if (wish.type == OpeningType::window && !brief_.windows) brief_.windows = 0;
     brief_.openings.push_back(wish);
     form_.hear(node["words"], Heard::As::thing, wish.kind, 0);
   }
   void add_windows(const FormNode& node, int count) {
-    const int others = form_.is_rules ? 0 : brief_.windows.value_or(0);
-    brief_.windows = count + others;
+    brief_.windows = count + brief_.windows.value_or(0);
     brief_.wide_windows = brief_.wide_windows || node["large"].flag();
     form_.hear(node["words"], count == 0 ? Heard::As::absence : Heard::As::thing, "window", 0);
   }
 
   // Sides as a viewer of the plan has them: front, right, back, left.
-  void place_opening(const FormNode& node, OpeningWish& wish) const {
-    const FormNode rules = node["rules"];
+  static void place_opening(const FormNode& node, OpeningWish& wish) {
     const auto type_named = [](const std::string& text) -> std::optional<OpeningType> {
       for (const auto type : {OpeningType::door, OpeningType::window, OpeningType::passage})
         if (text == name(type)) return type;
       return std::nullopt;
     };
-    if (form_.is_rules && rules) {
-      wish.counted = rules["counted"].flag();
-      wish.wide = rules["wide"].number().value_or(1.0),
-      wish.high = rules["high"].number().value_or(1.0);
-      for (const double side : rules["sides"].numbers(4))
-        wish.sides.push_back(std::clamp(static_cast<int>(side), 0, 3));
-      wish.walls = static_cast<int>(rules["walls"].number().value_or(0.0));
-      if (const auto type = type_named(rules["type"].text())) wish.type = *type;
-    }
     static const std::map<std::string, int, std::less<>> sides = {
         {"front", 0}, {"south", 0}, {"wall 0", 0}, {"right", 1}, {"east", 1}, {"wall 1", 1},
         {"back", 2},  {"north", 2}, {"wall 2", 2}, {"left", 3},  {"west", 3}, {"wall 3", 3}};
@@ -365,8 +340,8 @@ class FormRoom {
       if (const auto side = sides.find(join(words(lower(wall.text())), " ")); side != sides.end())
         wish.sides.push_back(side->second);
     if (node["large"].flag()) wish.wide = 1.4;
-    wish.opposite = type_named(form_.is_rules ? rules["opposite"].text() : node["opposite"].text());
-    wish.beside = type_named(form_.is_rules ? rules["beside"].text() : node["beside"].text());
+    wish.opposite = type_named(node["opposite"].text());
+    wish.beside = type_named(node["beside"].text());
   }
 
   void read_remarks(const FormNode& quotes) {
@@ -385,9 +360,8 @@ class FormRoom {
       materials.walls = looks;
     else if (part == "ceiling")
       materials.ceiling = looks;
-    else if (part.find("wall") != std::string::npos || form_.is_rules)
-      cover_named(materials, form_.is_rules && part != "accent wall" ? part : accent_name).finish =
-          looks;
+    else if (part.find("wall") != std::string::npos)
+      cover_named(materials, accent_name).finish = looks;
     else if (form_.remark(node, 0))
       return;
     else
@@ -407,12 +381,6 @@ class FormRoom {
   void read_talk(const FormNode& node) {
     const FormNode quotes = node.json->is_object() ? node["words"] : node;
     const std::string as = node.json->is_object() ? node["as"].text() : "talk";
-    if (form_.is_rules) {
-      for (int i = 0; i <= static_cast<int>(Heard::As::not_understood); ++i)
-        if (as == name(static_cast<Heard::As>(i)))
-          form_.hear(quotes, static_cast<Heard::As>(i), node["about"].text(), 0);
-      return;
-    }
     static const std::map<std::string, std::pair<Heard::As, const char*>, std::less<>> meanings = {
         {"talk", {Heard::As::room, ""}},          {"activity", {Heard::As::activity, ""}},
         {"person", {Heard::As::person, ""}},      {"aim", {Heard::As::activity, said_remark}},
@@ -431,12 +399,12 @@ class FormRoom {
 }  // namespace
 
 BriefReading brief_from_json(const Json& json, std::string_view prompt, const RoomKinds& kinds,
-                             const KindTable& table, const FormSource& source) {
+                             const KindTable& table, const std::string& pointer) {
   BriefReading result;
   const auto& words = built_in_vocabulary();
   if (!words) return result;
   result.brief.tokens = language::tokenize(prompt, max_tokens);
-  Form form({&json, source.pointer}, {prompt, kinds, table, source.author}, result);
+  Form form({&json, pointer}, {prompt, kinds, table}, result);
   FormRoom(form).read();
   read_form_things(form, *words);
   result.brief.understood = !result.brief.heard.empty();

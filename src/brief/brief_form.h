@@ -36,7 +36,6 @@ struct FormContext {
   std::string_view prompt;
   const RoomKinds& kinds;
   const KindTable& table;
-  FormAuthor author = FormAuthor::model;
 };
 
 /// What the readers of a form's parts share.
@@ -65,8 +64,6 @@ struct Form {
   const KindTable& table;
   BriefReading& result;
   Brief& brief;
-  /// Written by to_json(): all is said as rules take it.
-  const bool is_rules;
 
  private:
   std::vector<std::string> quoted(const FormNode& node) const;

@@ -24,17 +24,10 @@ struct BriefReading {
   std::vector<std::string> repairs = {};  ///< what was understood otherwise than it was written
 };
 
-/// Where a form comes from. A model says what it read, and how rules take it is found here; what
-/// roomgen wrote itself is taken as it is.
-enum class FormAuthor { model, roomgen };
-struct FormSource {
-  FormAuthor author = FormAuthor::model;
-  std::string pointer = {};  ///< of the form in its document, for messages
-};
-
-/// Reads such a form as far as it goes. Words are looked up in the wish as they are quoted there;
+/// Reads such a form of a model as far as it goes; how rules took a wish is not read back. `pointer`:
+/// of the form in its document, for messages. Words are looked up in the wish as they are quoted there;
 /// what the wish does not say is left out.
 BriefReading brief_from_json(const Json& json, std::string_view prompt, const RoomKinds& kinds,
-                             const KindTable& table, const FormSource& source = {});
+                             const KindTable& table, const std::string& pointer = "");
 
 }  // namespace roomgen::brief

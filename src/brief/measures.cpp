@@ -8,7 +8,6 @@ namespace roomgen::brief {
 
 namespace {
 
-using language::Measure;
 
 constexpr double metres_up_to = 30.0;  ///< bare numbers up to this are metres
 constexpr double least_ceiling = 2.0, greatest_ceiling = 12.0;  ///< metres above the floor
@@ -54,7 +53,7 @@ bool set_size(const Vec2& size, Brief& brief) {
 // "4 x 5 m": of a thing where one is named right after, else of the room; a third side is its
 // height.
 void read_sides(std::vector<Token>& tokens, std::size_t at, std::size_t count,
-                const Measure& measure, const Vocabulary& words, const KindTable& table,
+                const language::Measure& measure, const Vocabulary& words, const KindTable& table,
                 Brief& brief) {
   const Vec2 size(measure.values[0], measure.values[1]);
   if (thing_follows(tokens, at + count, table, words) || thing_precedes(tokens, at, table)) {
@@ -103,7 +102,7 @@ std::optional<std::size_t> ceiling_before(const std::vector<Token>& tokens, std:
 
 // Whether a length was that of the ceiling above the floor.
 bool read_ceiling(std::vector<Token>& tokens, std::size_t at, std::size_t count,
-                  const Measure& measure, const KindTable& table, Brief& brief) {
+                  const language::Measure& measure, const KindTable& table, Brief& brief) {
   const double height = measure.values[0];
   const auto before = ceiling_before(tokens, at, table);
   const std::size_t behind = is_ceiling(tokens, at + count)       ? 1
@@ -129,20 +128,20 @@ bool thing_came_before(const std::vector<Token>& tokens, std::size_t at, const K
 class RoomSides {
  public:
   // Whether the length was one of the room's.
-  bool read(const Measure& measure, const language::Run& tokens, Brief& brief) {
+  bool read(const language::Measure& measure, const language::Run& tokens, Brief& brief) {
     switch (measure.side) {
-      case Measure::Side::height:
+      case language::Measure::Side::height:
         // A height alone is rather that of something whose name nobody knows.
         if (!brief.size && !brief.area) return false;
         if (measure.values[0] < least_ceiling || measure.values[0] > greatest_ceiling) return false;
         brief.height = measure.values[0];
         hear(brief, tokens, Heard::As::room, "height");
         return true;
-      case Measure::Side::width:
+      case language::Measure::Side::width:
         width_ = measure.values[0];
         break;
-      case Measure::Side::depth:
-      case Measure::Side::length:
+      case language::Measure::Side::depth:
+      case language::Measure::Side::length:
         depth_ = measure.values[0];
         break;
       default:
@@ -233,17 +232,17 @@ void read_measures(std::vector<Token>& tokens, const std::vector<language::Token
     const std::size_t count = count_up_to(tokens, i, begin + measure->length);
     if (count == 0 || is_grid(tokens, i + count, words)) continue;
     switch (measure->kind) {
-      case Measure::Kind::area:
+      case language::Measure::Kind::area:
         if (set_area(measure->values[0], brief))
           hear(brief, source_of(tokens, i, count), Heard::As::room, "area");
         replace(tokens, i, count);
         break;
-      case Measure::Kind::sides:
+      case language::Measure::Kind::sides:
         read_sides(tokens, i, count, *measure, words, table, brief);
         break;
-      case Measure::Kind::range:
+      case language::Measure::Kind::range:
         continue;
-      case Measure::Kind::length:
+      case language::Measure::Kind::length:
         if (read_ceiling(tokens, i, count, *measure, table, brief)) break;
         if (!thing_follows(tokens, i + count, table, words) &&
             !thing_came_before(tokens, i, table) &&

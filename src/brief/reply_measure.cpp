@@ -1,5 +1,6 @@
 #include "reply_measure.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -153,6 +154,46 @@ std::optional<Measure> single_measure(const Json& value) {
   const auto measures = measures_in(value);
   if (measures.size() != 1) return std::nullopt;
   return measures.front();
+}
+
+namespace {
+
+struct SideWord {
+  std::string_view word;
+  int axis;
+};
+constexpr SideWord side_words[] = {{"width", 0},  {"w", 0},     {"x", 0}, {"length", 1},
+                                   {"l", 1},      {"depth", 1}, {"d", 1}, {"y", 1},
+                                   {"height", 2}, {"h", 2},     {"z", 2}, {"thickness", 1}};
+
+}  // namespace
+
+bool names_side(const Measure& measure) {
+  return std::any_of(std::begin(side_words), std::end(side_words),
+                     [&](const SideWord& side) { return side.word == measure.label; });
+}
+
+SaidSides sides_in(std::vector<Measure> measures) {
+  SaidSides said;
+  said.has_units = std::any_of(measures.begin(), measures.end(),
+                               [](const Measure& one) { return one.has_unit; });
+  for (const auto& measure : measures)
+    for (const auto& side : side_words)
+      if (measures.size() >= 2 && measure.label == side.word && measure.label != "x")
+        said.sides[side.axis] = measure.value;
+  if (!std::isnan(said.sides.x() + said.sides.y())) return said;
+  for (std::size_t i = 0; i < std::min<std::size_t>(3, measures.size()); ++i)
+    said.sides[static_cast<int>(i)] = measures[i].value;
+  return said;
+}
+
+std::optional<Vec3> size_in(const Json& value, const SizeForm& form) {
+  const auto measures = measures_in(value);
+  if (measures.size() != 3) return std::nullopt;
+  SaidSides said = sides_in(measures);
+  if (!said.has_units) said.sides *= form.unit;
+  const bool is_size = said.sides.minCoeff() >= form.least && said.sides.maxCoeff() <= form.most;
+  return is_size ? std::optional(said.sides) : std::nullopt;
 }
 
 std::optional<int> count_in(const Json& value) {

@@ -66,7 +66,7 @@ class RoomsReader {
  private:
   void read_room(const FormNode& node, SaidDwelling& dwelling) {
     BriefReading reading =
-        brief_from_json(*node.json, result_.wish.prompt, kinds_, table_, {.pointer = node.pointer});
+        brief_from_json(*node.json, result_.wish.prompt, kinds_, table_, node.pointer);
     take(reading.problems, result_.problems);
     take(reading.repairs, result_.repairs);
     Brief& own = reading.brief;

@@ -6,6 +6,7 @@
 
 #include "asset_text.h"
 #include "base/json_values.h"
+#include "brief/reply_measure.h"
 #include "chat/loose_json.h"
 #include "roomgen/base/text.h"
 
@@ -18,7 +19,6 @@ using Take = AssetChoice::Kind;
 constexpr std::size_t longest_text = 400;  // bytes
 constexpr std::size_t most_problems = 20;
 constexpr double shortest_side = 0.005, longest_side = 20.0;  // metres
-constexpr double metres_a_centimetre = 0.01;
 
 // What making is good for, by who does it.
 constexpr const char* made_by_itself =
@@ -154,13 +154,7 @@ class ChoiceReader {
 
   std::optional<Vec3> read_size(const Json& json, const std::string& place) {
     if (json.is_null()) return std::nullopt;
-    const bool has_sides =
-        json.is_array() && json.size() == 3 &&
-        std::all_of(json.begin(), json.end(), [](const Json& side) { return side.is_number(); });
-    Vec3 size = Vec3::Zero();
-    for (int axis = 0; has_sides && axis < 3; ++axis)
-      size[axis] = metres_a_centimetre * json[static_cast<std::size_t>(axis)].get<double>();
-    if (size.minCoeff() >= shortest_side && size.maxCoeff() <= longest_side) return size;
+    if (const auto size = brief::size_in(json, {shortest_side, longest_side})) return size;
     read_.repairs.push_back(place +
                             "/size_cm: three sides in centimetres were expected; left as offered");
     return std::nullopt;

@@ -78,11 +78,9 @@ void read_amendments(const Json& json, PlaceAdvice& advice, ReplyNotes& notes) {
     if (const auto height = brief::single_measure(*bottom)) advice.bottom = std::clamp(height->value, 0.0, longest);
   const Json* size = member(json, {"size cm", "size"});
   if (!size) return;
-  const auto sides = brief::measures_in(*size);
-  if (sides.size() != 3) return notes.repair("the answer's size is not three numbers");
-  Vec3 said(sides[0].value, sides[1].value, sides[2].value);
-  if (!sides[0].has_unit) said *= brief::centimetre;
-  advice.size = said.cwiseMax(shortest).cwiseMin(longest);
+  advice.size = brief::size_in(*size, {shortest, longest});
+  if (!advice.size && !size->is_null())
+    notes.repair("the answer's size is not width, depth and height in centimetres");
 }
 
 // {"move": [{"id": "sofa-0", "location": [x, y], "facing": 90}]}

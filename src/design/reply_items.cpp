@@ -45,14 +45,6 @@ constexpr PlaceWord place_words[] = {{"floor", Mount::floor},     {"ground", Mou
                                      {"wall", Mount::wall},       {"walls", Mount::wall},
                                      {"ceiling", Mount::ceiling}, {"hanging", Mount::ceiling}};
 
-struct SideWord {
-  std::string_view word;
-  int axis;
-};
-constexpr SideWord side_words[] = {{"width", 0},  {"w", 0},     {"x", 0}, {"length", 1},
-                                   {"l", 1},      {"depth", 1}, {"d", 1}, {"y", 1},
-                                   {"height", 2}, {"h", 2},     {"z", 2}, {"thickness", 1}};
-
 // A name that says more than the kind stands with what is said of it: "pie case, chrome".
 std::string told_with_name(const std::string& name, const std::string& description,
                            const std::string& category) {
@@ -65,27 +57,6 @@ std::string told_with_name(const std::string& name, const std::string& descripti
 bool stands_by_size(const PlanItem& item) {
   constexpr double deepest = 0.6;
   return item.size && item.size->head<2>().minCoeff() > deepest;
-}
-
-bool names_side(const brief::Measure& measure) {
-  return std::any_of(std::begin(side_words), std::end(side_words),
-                     [&](const SideWord& side) { return side.word == measure.label; });
-}
-
-// Three sides; NaN for those that are not said.
-Vec3 sides_of(const std::vector<brief::Measure>& measures) {
-  Vec3 sides = Vec3::Constant(std::nan(""));
-  bool labelled = false;
-  for (const auto& measure : measures)
-    for (const auto& side : side_words)
-      if (measures.size() >= 2 && measure.label == side.word && measure.label != "x") {
-        sides[side.axis] = measure.value;
-        labelled = true;
-      }
-  if (labelled && !std::isnan(sides.x() + sides.y())) return sides;
-  for (std::size_t i = 0; i < std::min<std::size_t>(3, measures.size()); ++i)
-    sides[static_cast<int>(i)] = measures[i].value;
-  return sides;
 }
 
 double unlikeness(double sum_of_logs, const Vec3& usual) {
@@ -183,6 +154,7 @@ class ItemReader {
     objects_ += item.quantity;
     drafts_.push_back(std::move(draft));
     carriers_.push_back(std::move(on));
+    insides_.push_back(is_inside(words(text_in(member(value, spot_keys)))));
     names_.push_back(plain_name(name));
     const std::size_t self = drafts_.size() - 1;
     if (const Json* top = member(value, on_top_keys)) read_list(*top, self, nesting + 1);
@@ -213,6 +185,11 @@ class ItemReader {
     return std::nullopt;
   }
 
+  // "in the cabinet"
+  static bool is_inside(const std::vector<std::string>& place) {
+    return !place.empty() && (place.front() == "in" || place.front() == "inside");
+  }
+
   // Whether it is said.
   bool read_size(const Json& value, PlanItem& item) {
     const Kind* kind = lexicon_.table.spelled(item.category);
@@ -220,16 +197,15 @@ class ItemReader {
     const Json* given = member(value, size_keys);
     auto measures = brief::measures_in(given ? *given : value);
     // {"name": "bed", "width": 160, …}
-    if (!given) std::erase_if(measures, [](const brief::Measure& one) { return !names_side(one); });
-    Vec3 sides = sides_of(measures);
+    if (!given) std::erase_if(measures, [](const auto& one) { return !brief::names_side(one); });
+    const auto [said, has_units] = brief::sides_in(measures);
+    Vec3 sides = said;
     if (std::isnan(sides.x() + sides.y())) {
       if (given) note("the size of the " + item.category + " is not three numbers");
       if (!item.size) item.size = lexicon_.table.get(item.category).size;
       return false;
     }
-    const bool in_units = std::any_of(measures.begin(), measures.end(),
-                                      [](const brief::Measure& m) { return m.has_unit; });
-    if (!in_units) sides *= unit_of(sides, kind);
+    if (!has_units) sides *= unit_of(sides, kind);
     if (std::isnan(sides.z())) sides.z() = lexicon_.table.get(item.category).size.z();
     const Vec3 bounded = sides.cwiseMax(least_side).cwiseMin(greatest_side);
     if (bounded != sides) note("the size of the " + item.category + " was bounded");
@@ -266,22 +242,24 @@ class ItemReader {
     item.mount = mount.value_or(lexicon_.table.get(item.category).mount);
     const auto pieces = words(text_in(member(value, spot_keys)));
     if (mount || pieces.empty()) return "";
-    const bool on = pieces.front() == "on" || member(value, {"on"});
+    const bool on = is_inside(pieces) || pieces.front() == "on" || member(value, {"on"});
     if (!on) {
       note("the place \"" + shortened(join(pieces, " "), max_words) + "\" is not known");
       return "";
     }
     std::size_t skipped = 0;
     while (skipped < pieces.size() &&
-           (pieces[skipped] == "on" || pieces[skipped] == "the" || pieces[skipped] == "top" ||
+           (pieces[skipped] == "on" || pieces[skipped] == "in" || pieces[skipped] == "inside" ||
+            pieces[skipped] == "the" || pieces[skipped] == "top" ||
             pieces[skipped] == "of" || pieces[skipped] == "a"))
       ++skipped;
     return join({pieces.begin() + static_cast<std::ptrdiff_t>(skipped), pieces.end()}, " ");
   }
 
-  void carry(plan::Draft& draft, std::size_t carrier) const {
+  void carry(plan::Draft& draft, std::size_t carrier, bool is_inside = false) const {
     draft.item.on = drafts_[carrier].item.category;
     draft.demands.push_back({RelationKind::on, carrier, "", false});
+    if (is_inside) draft.demands.push_back({RelationKind::inside, carrier, "", false});
   }
 
   // "on desk": of the things in the list the first desk.
@@ -295,7 +273,7 @@ class ItemReader {
         const bool is_kind = other == name || (!kind.empty() && lexicon_.table.is_a(other, kind));
         if (j == i || !(by_name ? names_[j] == name : is_kind)) continue;
         drafts_[i].item.mount = Mount::surface;
-        return carry(drafts_[i], j);
+        return carry(drafts_[i], j, insides_[i]);
       }
     note("\"" + name + "\", which shall carry the " + drafts_[i].item.category +
          ", is not among the objects");
@@ -305,6 +283,7 @@ class ItemReader {
   std::vector<std::string>& repairs_;
   std::vector<plan::Draft> drafts_;
   std::vector<std::string> carriers_;  ///< by name, of the drafts
+  std::vector<bool> insides_;          ///< whether it is in its carrier, of the drafts
   std::vector<std::string> names_;     ///< as said, of the drafts
   std::string group_;                  ///< whose things are read
   int objects_ = 0;
