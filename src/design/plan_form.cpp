@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/json_values.h"
 #include "composition/composition.h"
@@ -15,7 +16,8 @@ namespace {
 using composition::Composition;
 using composition::Part;
 
-constexpr std::size_t most_shown = 45;  ///< compositions with their parts
+/// Bytes of the compositions that are shown with their parts, and of the names of others.
+constexpr std::size_t most_of_shown = 2200, most_of_names = 800;
 
 /// Endpoints enforce a schema where every member of an object is required: what may be left out may
 /// be null.
@@ -122,6 +124,33 @@ std::string line_of(const Composition& composition) {
   return composition.name + (settings.empty() ? "" : " [" + join(settings, ", ") + "]") + ": " + join(parts, "; ");
 }
 
+// A mentioned thing says most of whose anchor it is, less of what it is a part of.
+constexpr double of_anchor = 2.0, of_part = 1.0, told_by_things = 2.0;
+
+double told_of(const Composition& composition, const brief::Brief& brief) {
+  const KindTable& table = KindTable::built_in();
+  double told = 0.0;
+  for (const auto& mention : brief.mentions) {
+    const Kind* asked = table.find(mention.category);
+    const auto is_it = [&](const Part& part) {
+      const Kind* kind = asked && part.spare == 0 ? table.by_name(part.kind) : nullptr;
+      return kind && (is_of(*kind, asked->name) || is_of(*asked, kind->name));
+    };
+    const auto& parts = composition.parts;
+    const auto found = std::find_if(parts.begin(), parts.end(), is_it);
+    if (found != parts.end()) told += found == parts.begin() ? of_anchor : of_part;
+  }
+  return told;
+}
+
+// By what the wish asks for, and how readily rules take it. Of rooms that nobody knows only its
+// things tell.
+double suitability(const Composition& composition, const std::string& room,
+                   const std::string& wish, const brief::Brief& brief) {
+  const double ready = plan::readiness(composition, room, wish), told = told_of(composition, brief);
+  return told + (brief.type_known || told > 0.0 || ready > of_anchor ? ready : 0.0);
+}
+
 }  // namespace
 
 const Json& plan_schema(bool whole) {
@@ -130,29 +159,32 @@ const Json& plan_schema(bool whole) {
   return whole ? all : inventory;
 }
 
-std::string composition_lines(const std::string& room, const std::string& wish) {
+std::string composition_lines(const std::string& room, const brief::Brief& brief,
+                              const std::string& wish) {
   const auto& known = composition::built_in_compositions();
   if (!known) return "";
-  std::vector<std::pair<double, const Composition*>> by_readiness;
-  for (const auto& [name, one] : *known) by_readiness.push_back({plan::readiness(one, room, wish), &one});
-  std::stable_sort(by_readiness.begin(), by_readiness.end(),
-                   [](const auto& a, const auto& b) { return a.first > b.first; });
-  std::vector<const Composition*> shown;
-  const auto show = [&](const Composition& one) {
-    if (std::find(shown.begin(), shown.end(), &one) == shown.end()) shown.push_back(&one);
-  };
-  for (std::size_t i = 0; i < by_readiness.size() && i < most_shown; ++i)
-    if (by_readiness[i].first > 0.0) show(*by_readiness[i].second);
-  // What they are made of is known too.
-  for (std::size_t i = 0; i < shown.size(); ++i)
-    for (const auto& part : shown[i]->parts)
-      if (const auto inner = known->find(part.composition); inner != known->end()) show(inner->second);
-  std::string lines;
-  for (const auto* one : shown) lines += line_of(*one) + "\n";
-  std::vector<std::string> others;
+  std::vector<std::pair<double, const Composition*>> ranked;
   for (const auto& [name, one] : *known)
-    if (std::find(shown.begin(), shown.end(), &one) == shown.end()) others.push_back(name);
-  return lines + "Others, by name: " + join(others, "; ") + "\n";
+    ranked.push_back({suitability(one, room, wish, brief), &one});
+  std::stable_sort(ranked.begin(), ranked.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::string lines, names;
+  std::set<const Composition*> shown;
+  // What they are made of is known too.
+  const auto show = [&](const Composition& one, const auto& inner) -> void {
+    if (!shown.insert(&one).second) return;
+    lines += line_of(one) + "\n";
+    for (const auto& part : one.parts)
+      if (const auto of = known->find(part.composition); of != known->end())
+        inner(of->second, inner);
+  };
+  for (const auto& [suits, one] : ranked)
+    if (suits >= told_by_things && lines.size() + line_of(*one).size() < most_of_shown)
+      show(*one, show);
+  for (const auto& [suits, one] : ranked)
+    if (!shown.count(one) && suits > 0.0 && names.size() + one->name.size() < most_of_names)
+      names += (names.empty() ? "" : "; ") + one->name;
+  return lines + (names.empty() ? "" : "Others, by name: " + names + "\n");
 }
 
 std::string kind_names(const KindTable& kinds) {

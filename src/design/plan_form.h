@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "brief/brief.h"
 #include "roomgen/base/json.h"
 #include "roomgen/kinds/kind_table.h"
 
@@ -12,9 +13,10 @@ namespace roomgen::design {
 /// section 4.1).
 const Json& plan_schema(bool whole);
 
-/// The compositions that suit a kind of room and a wish, a line each with its parameters and parts;
-/// then the names of all others.
-std::string composition_lines(const std::string& room, const std::string& wish);
+/// The compositions that suit the things of a wish and the kind of its room, a line each with its
+/// parameters and parts; then some of the others by name. About 3 kB at most.
+std::string composition_lines(const std::string& room, const brief::Brief& brief,
+                              const std::string& wish);
 
 /// The kinds of things that are known, by name.
 std::string kind_names(const KindTable& kinds);

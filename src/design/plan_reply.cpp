@@ -94,6 +94,16 @@ void fit_into(const Room& room, std::vector<plan::Draft>& drafts,
   }
 }
 
+// Answers know no pointers: "/openings/1" is the second.
+std::string by_number(std::string note, std::size_t openings) {
+  for (std::size_t i = 0; i < openings; ++i) {
+    const std::string pointer = "\"/openings/" + std::to_string(i) + "\"";
+    for (std::size_t at; (at = note.find(pointer)) != std::string::npos;)
+      note.replace(at, pointer.size(), std::to_string(i + 1));
+  }
+  return note;
+}
+
 // Openings that the answer names stand in place of the usual ones.
 void open_as_said(const Json& json, const PlanRequest& request, const brief::RoomKind& kind, Plan& plan,
                   std::vector<std::string>& repairs) {
@@ -101,8 +111,9 @@ void open_as_said(const Json& json, const PlanRequest& request, const brief::Roo
   plan.openings = read_reply_openings(json, plan.room, repairs);
   if (plan.openings.empty()) return;
   plan.room.openings.clear();
+  const std::size_t told = plan.openings.size();
   settle(plan);
-  repairs.insert(repairs.end(), plan.notes.begin(), plan.notes.end());
+  for (auto& note : plan.notes) repairs.push_back(by_number(std::move(note), told));
   plan.notes.clear();
   const auto& all = plan.room.openings;
   if (std::none_of(all.begin(), all.end(), [](const Opening& one) { return one.is_entrance(); }))

@@ -37,6 +37,7 @@ constexpr WhereWords where_words[] = {
     {"on each side of", "beside", "sides", 2}, {"at the sides of", "beside", "sides", 2},
     {"at the ends of", "beside", "ends", 2}, {"on all sides of", "beside", "all", 4},
     {"on top of", "on", "", 1},           {"on", "on", "", 1},
+    {"inside", "on", "", 1},              {"in", "on", "", 1},
     {"above", "above", "", 1},            {"over", "over", "", 1},
     {"under", "under", "", 1},            {"beneath", "under", "", 1},
     {"with", "of", "", 1},                {"at", "of", "", 1}};
@@ -349,7 +350,7 @@ class GroupReader {
     for (const auto& leaf : leaves_)
       if (words(last_name(leaf.path)) == words(said) || words(leaf.kind) == words(said)) return unit_path(leaf);
     for (const auto& part : parts)
-      if (part.contains("kind") && words(said).back() == words(part["kind"].get<std::string>()).back()) return part["part"];
+      if (part.contains("kind") && !words(said).empty() && words(said).back() == words(part["kind"].get<std::string>()).back()) return part["part"];
     return "";
   }
 

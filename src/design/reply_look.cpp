@@ -4,12 +4,15 @@
 #include "chat/loose_json.h"
 #include "plan/floor_plan.h"
 #include "plan_answers.h"
+#include "roomgen/base/text.h"
 #include "scene/room_look_json.h"
 #include "scene/wanted_opening_json.h"
 
 namespace roomgen::design {
 
 namespace {
+
+constexpr std::size_t max_name = 40;  ///< bytes of an opening's kind in a note
 
 // Without members that are null, and texts that are empty, at any depth: what an answer leaves open.
 Json said_part(const Json& value) {
@@ -24,9 +27,24 @@ Json said_part(const Json& value) {
   return kept;
 }
 
-void note(const JsonReader::Problems& problems, std::vector<std::string>& repairs) {
-  if (problems.first()) repairs.push_back(problems.first()->message);
-  repairs.insert(repairs.end(), problems.remarks().begin(), problems.remarks().end());
+// Models are told places in words: "/walls/0/finish: must be text" of the materials is "the
+// materials, walls 1, finish: must be text".
+std::string in_words(const std::string& message, const std::string& of) {
+  if (message.starts_with(": ")) return in_words(message.substr(2), of);
+  const std::size_t colon = message.find(": ");
+  if (!message.starts_with("/") || colon == std::string::npos) return of + ": " + message;
+  std::string told = of;
+  for (const auto& step : split(message.substr(1, colon - 1), '/')) {
+    const bool is_number = !step.empty() && step.find_first_not_of("0123456789") == step.npos;
+    told += is_number ? " " + std::to_string(std::stoul(shortened(step, 6)) + 1) : ", " + step;
+  }
+  return told + message.substr(colon);
+}
+
+void note(const JsonReader::Problems& problems, const std::string& of,
+          std::vector<std::string>& repairs) {
+  if (problems.first()) repairs.push_back(in_words(problems.first()->message, of));
+  for (const auto& remark : problems.remarks()) repairs.push_back(in_words(remark, of));
 }
 
 }  // namespace
@@ -37,12 +55,12 @@ void read_reply_look(const Json& json, Room& room, std::vector<std::string>& rep
     const Json* said = member(room_part(json), {key});
     if (!said) continue;
     const Json part = {{key, said_part(*said)}};
-    JsonReader::Problems problems("room");
+    JsonReader::Problems problems("");
     Room with;
     with.polygon = room.polygon;
     with.height = room.height;
     read_look(JsonReader(part, problems), FileWalls(room.polygon.points, room.polygon), with);
-    note(problems, repairs);
+    note(problems, "the room", repairs);
     if (problems.first()) continue;
     const std::string name = key;
     if (name == "materials") plan::put_on(room, with.materials);
@@ -60,9 +78,14 @@ std::vector<WantedOpening> read_reply_openings(const Json& json, const Room& roo
   std::vector<WantedOpening> openings;
   for (std::size_t i = 0; i < said->size(); ++i) {
     const Json one = Json::array({said_part((*said)[i])});
-    JsonReader::Problems problems("openings/" + std::to_string(i));
+    JsonReader::Problems problems("");
     auto read = read_wanted_openings(JsonReader(one, problems), room.polygon.points, room);
-    note(problems, repairs);
+    const std::string kind = one[0].is_object() ? text_in(member(one[0], {"kind"})) : "";
+    const std::string called = kind.empty() ? "" : " (" + shortened(kind, max_name) + ")";
+    std::vector<std::string> notes;
+    note(problems, "opening", notes);
+    for (auto& told : notes)
+      repairs.push_back("opening " + std::to_string(i + 1) + called + told.substr(told.find_first_of(",:")));
     if (!problems.first()) openings.insert(openings.end(), read.begin(), read.end());
   }
   return openings;

@@ -25,7 +25,8 @@ Result<Mount> mount_for(const Kind& kind, const edit::Add& add) {
   };
   const bool rests = wants(add.relations, RelationKind::on) || wants(add.relations, RelationKind::inside);
   if (!rests) return kind.mount;
-  if (may(Mount::surface)) return Mount::surface;
+  // What nobody knows may stand anywhere.
+  if (may(Mount::surface) || kind.name.empty()) return Mount::surface;
   return cannot("a " + kind.name + " does not stand on other things");
 }
 

@@ -113,7 +113,8 @@ Requirement fewer(const Requirement& requirement, const std::vector<std::string>
   now.source = Requirement::Source::edit;
   now.picture = 0;
   now.subjects = left;
-  now.count = requirement.count - static_cast<int>(requirement.subjects.size() - left.size());
+  const int gone = static_cast<int>(requirement.subjects.size() - left.size());
+  now.count = std::max(0, requirement.count - gone);
   now.clause = counted(now.count, requirement.category);
   return now;
 }

@@ -273,13 +273,23 @@ class Ledger {
       if (names.empty() && &demand != &first) return;  // said with the first
       const bool is_thing = demand.mention != brief::Demand::none;
       names.push_back(is_thing ? called(brief_.mentions[demand.mention]) : demand.part);
-      const auto targets = is_thing ? ids_[demand.mention]
-                                    : std::vector<std::string>{part_of(room_, demand.part)};
+      const auto targets = is_thing ? ids_[demand.mention] : ends_at(demand.part, mention);
       requirement.targets.insert(requirement.targets.end(), targets.begin(), targets.end());
       words.push_back(demand.heard);
     }
     requirement.clause = called(mention) + " between " + join(names, " and ");
     add(std::move(requirement), words);
+  }
+
+  // "Between the windows" is between any two of those that there are.
+  std::vector<std::string> ends_at(const std::string& part, const brief::Mention& mention) const {
+    const auto is_second = [](const brief::Demand& demand) {
+      return demand.kind == RelationKind::between && demand.part == "window-1";
+    };
+    if (part.starts_with("window-") &&
+        std::any_of(mention.demands.begin(), mention.demands.end(), is_second))
+      return parts_called("window");
+    return {part_of(room_, part)};
   }
 
   // --- For each, not there, nothing else ---------------------------------------------------------

@@ -19,6 +19,7 @@ constexpr std::size_t max_wanted = 200;
 constexpr double least_width = 0.1, greatest_height = 20.0;
 
 void remark_on_kind(const JsonReader& json, const std::string& kind) {
+  if (kind.empty()) return json.remark("is missing, as in \"window\"; left out");
   const auto& known = OpeningKinds::built_in();
   if (!known || known->find(kind)) return;
   std::vector<std::string> names;

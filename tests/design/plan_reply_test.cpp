@@ -1,5 +1,7 @@
 #include "plan_reply.h"
 
+#include "plan_form.h"
+
 #include "base/random.h"
 #include "brief/prompt.h"
 #include "catch.h"
@@ -153,6 +155,9 @@ TEST_CASE("A thing that shares a word with a kind, but neither its size nor its 
     "on_top": [{"name": "vase"}]}, {"name": "bowl", "place": "on glass counter"}]})");
   CHECK(reply.plan.items[1].on == "glass-counter");
   CHECK(reply.plan.items[2].on == "glass-counter");
+  const auto shown = read(R"({"objects": [{"name": "display cabinet"}, {"name": "dodo", "size_cm": [40, 30, 50],
+    "place": "in the display cabinet"}]})");
+  CHECK(to_text(item(shown.plan, "dodo").relations) == "on, display cabinet-0 | inside, display cabinet-0");
 }
 
 TEST_CASE("Objects are understood however they are written") {
@@ -346,4 +351,53 @@ TEST_CASE("What a group cannot be is told by its name, and its things stand for 
   }
   for (const char* groups : {"7", "[null, 3]", R"([{"things": {"part": "anchor"}}])", R"([{"composition": [], "with": 4, "repeat": {"rows": 1e9}}])"})
     CHECK(read_whole(groups).plan.items.size() >= 2);
+}
+
+TEST_CASE("What cannot be read of half a plan is told in words, once and with its place") {
+  const std::pair<const char*, const char*> halves[] = {
+      {R"("room": {"type": "den", "size_m": [5, 4], "materials": {"floor": 7, "walls": [{"finish": ["x"]}]}})",
+       "the room, materials, floor: "},
+      {R"("room": {"type": "den", "light": {"hour": "late", "sky": "green"}})", "the room, light, "},
+      {R"("room": {"type": "den", "palette": {"main": "blurple"}})", ""},
+      {R"("openings": [{"kind": "door", "wall": "east"}, {"kind": "skylight", "wall": "ceiling"}])",
+       "opening 2 (skylight), kind: \"skylight\" is no kind of opening"},
+      {R"("openings": [{"kind": "door", "wall": "east", "at": 0.5, "width": 0.9},
+                       {"kind": "door", "wall": "east", "at": 0.5, "width": 0.9}, 3, {"wall": ""}])", "opening "},
+      {R"("groups": [{"id": "", "things": [{"name": "sofa"}, {"part": "y", "where": "on before S"},
+                      {"name": "rug", "where": "around "}, {"quantity": -4}, null]}, null, {}, {"composition": "zz"}])",
+       "group \"group-0\""},
+      {R"("groups": {"things": 4}, "excluded": [null, "", 3, "tv"])", ""},
+      {R"("furniture": {"bed_1": {"dims": "2m by 1.6m"}, "": {"count": "many"}, "chair": "four"})", ""}};
+  for (const auto& [half, told] : halves) {
+    INFO(half);
+    const auto reply =
+        reply_to({"a den", 1, {}, {}, {}}, "{" + std::string(half) + R"(, "objects": [{"name": "bed", "size_cm": [1, "wide"]}]})");
+    REQUIRE(reply);
+    REQUIRE(check(reply->plan.room));
+    int times = 0;
+    for (const auto& note : reply->repairs) {
+      INFO(note);
+      times += *told && note.starts_with(told);
+      for (const char* raw : {"/0", ": :", "  ", "\"\"", "null", " 's", "the  "}) {
+        INFO(raw);
+        CHECK(note.find(raw) == std::string::npos);
+      }
+      CHECK(std::count(reply->repairs.begin(), reply->repairs.end(), note) == 1);
+    }
+    CHECK((!*told || times > 0));
+  }
+}
+
+TEST_CASE("Compositions are told that suit the things of a wish, and few") {
+  const auto lines = [](const std::string& wish) {
+    const Brief brief = read_prompt(wish, *built_in_room_kinds(), KindTable::built_in());
+    return composition_lines(brief.type, brief, wish);
+  };
+  const std::string salon = lines("a hair salon with three barber chairs facing mirrors"),
+                    engine = lines("an airship engine room with a copper boiler and a hammock"),
+                    dining = lines("a dining room with a table for six");
+  for (const auto& told : {salon, engine, dining}) CHECK(told.size() < 4000);
+  CHECK(salon.find("styling station") < salon.find("Others, by name"));
+  CHECK(dining.find("dining table") < dining.find("Others, by name"));
+  CHECK(engine.find("pupils") == std::string::npos);
 }
