@@ -22,6 +22,8 @@ constexpr int size_rounds = 3;
 constexpr double most_excess = 1.3;
 // Beyond the factor that fits all, what was written at another size is stretched at most by this.
 constexpr double most_stretch = 1.25, unseen_factor = 0.004;
+// Metres; beads and rivets that float by less look as if they touched.
+constexpr double clear_gap = 0.012;
 
 const ShapeKind* kind_of(const Description& description) {
   const auto& kinds = ShapeKinds::built_in();
@@ -80,45 +82,49 @@ bool grown(const shape::Program& before, const shape::Program& after) {
   return new_size.maxCoeff() > most_growth * old_size.maxCoeff();
 }
 
-// Validates and evaluates. `keeps_sound`: what stands as one piece stays as it is, whatever its
-// labels ask for: the legs of a galloping horse.
-Status finish(shape::Program program, const CreateOptions& options, CreatedObject& object,
-              bool keeps_sound = false) {
-  ValidateOptions validation;
-  validation.footing = footing_of(object.mount);
-  const bool is_last_word = options.variant == Variant::no_validation;
-  if (is_last_word || keeps_sound) {
-    auto soundness = inspect(program, validation);
-    if (!soundness) return soundness.error();
-    object.soundness = *std::move(soundness);
-  }
-  // The last ones are of the whole, the first guess by labels.
-  const auto& problems = object.soundness.problems;
-  if (keeps_sound && !object.soundness.sound())
-    for (auto problem = problems.rbegin(); problem != problems.rend(); ++problem)
-      object.notes.push_back("as written: " + *problem);
-  if (is_last_word || (keeps_sound && object.soundness.sound())) {
-    object.program = std::move(program);
-  } else {
-    auto validated = validate(program, validation);
-    if (!validated) return validated.error();
-    // A repair that makes another thing of it is none.
-    if (!validated->repairs.empty() && grown(program, validated->program)) {
-      object.notes.push_back("what is loose could not be joined without making it much larger");
-      validated->program = std::move(program);
-      validated->repairs.clear();
-      validated->after = validated->before;
-    }
-    object.program = std::move(validated->program);
-    object.repairs = std::move(validated->repairs);
-    object.soundness = std::move(validated->after);
-  }
-  auto shape = shape::evaluate_within(object.program, options.triangles);
+Status draw(shape::Program program, const CreateOptions& options, CreatedObject& object) {
+  auto shape = shape::evaluate_within(program, options.triangles);
   if (!shape) return shape.error();
   if (shape->bodies.empty())
     return Error{Error::Kind::invalid_input, "the program makes nothing at all"};
+  object.program = std::move(program);
   object.shape = *std::move(shape);
   return {};
+}
+
+// As it is, judged by what is clearly apart and tips over: what labels would have touch is a guess.
+Status finish_as_drawn(shape::Program program, const CreateOptions& options,
+                       CreatedObject& object) {
+  ValidateOptions measuring{footing_of(object.mount), clear_gap};
+  measuring.as_drawn = true;
+  auto soundness = inspect(program, measuring);
+  if (!soundness) return soundness.error();
+  object.soundness = *std::move(soundness);
+  return draw(std::move(program), options, object);
+}
+
+// Validates and evaluates.
+Status finish(shape::Program program, const CreateOptions& options, CreatedObject& object) {
+  ValidateOptions validation;
+  validation.footing = footing_of(object.mount);
+  if (options.variant == Variant::no_validation) {
+    auto soundness = inspect(program, validation);
+    if (!soundness) return soundness.error();
+    object.soundness = *std::move(soundness);
+    return draw(std::move(program), options, object);
+  }
+  auto validated = validate(program, validation);
+  if (!validated) return validated.error();
+  // A repair that makes another thing of it is none.
+  if (!validated->repairs.empty() && grown(program, validated->program)) {
+    object.notes.push_back("what is loose could not be joined without making it much larger");
+    validated->program = std::move(program);
+    validated->repairs.clear();
+    validated->after = validated->before;
+  }
+  object.repairs = std::move(validated->repairs);
+  object.soundness = std::move(validated->after);
+  return draw(std::move(validated->program), options, object);
 }
 
 Vec3 factors_to(const Vec3& wanted, const Vec3& size) {
@@ -274,7 +280,7 @@ Result<CreatedObject> create_written(const std::string& program, const Descripti
   object.mount = mount;
   object.notes = std::move(reading->repairs);
   if (!reading->complaint.empty()) object.notes.push_back(std::move(reading->complaint));
-  if (auto status = finish(std::move(reading->value), options, object, true); !status)
+  if (auto status = finish_as_drawn(std::move(reading->value), options, object); !status)
     return status.error();
   object.program.name = description.noun;
   object.program.about = description.prompt;
@@ -282,9 +288,8 @@ Result<CreatedObject> create_written(const std::string& program, const Descripti
   const Vec3 factors = factors_to(*description.size, bounds(object.shape).size());
   if (factors.isApprox(Vec3::Ones(), unseen_factor)) return object;
   object.program = scaled(std::move(object.program), factors);
-  auto shape = shape::evaluate_within(object.program, options.triangles);
-  if (!shape) return shape.error();
-  object.shape = *std::move(shape);
+  if (auto status = draw(std::move(object.program), options, object); !status)
+    return status.error();
   return object;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "finish_look.h"
+#include "library/looks.h"
 #include "library/seen_assets.h"
 #include "library/shown_colors.h"
 #include "library/style_words.h"
@@ -13,6 +14,7 @@
 #include "repaint.h"
 #include "roomgen/base/text.h"
 #include "roomgen/kinds/kind_table.h"
+#include "shape/motifs.h"
 
 namespace roomgen::create {
 
@@ -61,6 +63,11 @@ bool is_known_to_look(const AssetInfo& asset, const PartLook& look) {
          has_pattern(asset, look);
 }
 
+// Who makes it knows its colours, and paint would cover what is printed on it.
+bool is_made_cloth(const AssetInfo& asset) {
+  return asset.ref.procedural && KindTable::built_in().is_any_of(asset.category, printed_cloths);
+}
+
 // Of tables of glass only the legs could be painted.
 bool is_of_glass(const AssetInfo& asset) {
   const auto* seen = seen_asset(asset.ref);
@@ -105,7 +112,10 @@ class FinishingLibrary final : public AssetLibrary {
     auto matches = library_->search(query);
     if (!matches) return matches;
     const std::string looks = words_of_looks(query);
-    for (auto& match : *matches) finish(match, wanted_finish(in_style(looks, match.asset.category), match.asset.category));
+    const bool has_print = !shape::motifs_on_cloth(query.description).empty();
+    for (auto& match : *matches)
+      if (!(has_print && is_made_cloth(match.asset)))
+        finish(match, wanted_finish(in_style(looks, match.asset.category), match.asset.category));
     std::stable_sort(matches->begin(), matches->end(), [](const AssetMatch& a, const AssetMatch& b) {
       return a.contradicts < b.contradicts;
     });

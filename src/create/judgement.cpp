@@ -159,10 +159,10 @@ Judgement judge(const Assembly& assembly, const std::vector<Link>& links,
   Judgement result;
   result.contacts = assembly.contacts();
   number_pieces(result);
-  result.standing = standing(assembly.parts());
+  result.standing = standing(assembly.parts(), options.contact);
   find_levels(result, assembly);
   const bool on_ground = options.footing == Footing::ground;
-  result.grounded = !on_ground || std::abs(result.standing.low) <= level_tolerance;
+  result.grounded = options.as_drawn || !on_ground || std::abs(result.standing.low) <= level_tolerance;
   result.stable = on_ground ? result.standing.stable() : result.pieces == 1;
   for (std::size_t k = 0; k < links.size(); ++k) {
     if (!links[k].firm) continue;
@@ -180,12 +180,19 @@ Judgement judge(const Assembly& assembly, const std::vector<Link>& links,
 
 namespace {
 
-// What does not hang together with the first: "rosette-0, rosette-1".
+// What does not hang together with the largest piece: "rosette-0 and 2 more (14 mm from the rest)".
 std::string loose_parts(const Assembly& assembly, const Judgement& judgement) {
-  constexpr std::size_t most_named = 8;
+  constexpr int most_named = 8;
   std::vector<std::string> names;
-  for (std::size_t k = 0; k < judgement.piece.size() && names.size() < most_named; ++k)
-    if (judgement.piece[k] != judgement.piece[0]) names.push_back(assembly.parts()[k].name);
+  for (int piece = 1; piece < std::min(judgement.pieces, most_named + 1); ++piece) {
+    Link away;
+    for (std::size_t k = 0; k < judgement.piece.size(); ++k)
+      (judgement.piece[k] == piece ? away.one : away.other).push_back(k);
+    const std::size_t more = away.one.size() - 1;
+    names.push_back(assembly.parts()[away.one.front()].name +
+                    (more > 0 ? " and " + std::to_string(more) + " more (" : " (") +
+                    millimetres(nearest_pair(assembly, away).points.distance) + " from the rest)");
+  }
   return join(names, ", ");
 }
 
@@ -203,7 +210,7 @@ Soundness soundness(const Assembly& assembly, const std::vector<Link>& links,
   result.supported = on_ground ? std::none_of(judgement.level.begin(), judgement.level.end(),
                                               [](int level) { return level < 0; })
                                : judgement.pieces == 1;
-  result.congruent = feet_alike(assembly);
+  result.congruent = options.as_drawn || feet_alike(assembly);
   for (std::size_t k : judgement.open) {
     const double missing = gap(assembly, links[k]);
     const bool touching = missing <= options.contact && !links[k].floor;

@@ -35,8 +35,6 @@ std::string quoted(std::string_view text) {
 
 // "a neon sign saying OPEN LATE": what is written in capitals behind the verb.
 std::string spelt(std::string_view text) {
-  static const std::vector<std::string> verbs = {"says", "saying",   "reads",  "reading", "say",
-                                                 "read", "spelling", "spells", "word",    "words"};
   std::vector<std::string> result;
   bool is_said = false;
   for (const auto& piece : split(text, ' ')) {
@@ -50,7 +48,7 @@ std::string spelt(std::string_view text) {
       result.push_back(piece);
     else if (is_said)
       break;
-    if (std::find(verbs.begin(), verbs.end(), lower(piece)) != verbs.end()) is_said = true;
+    if (shape::says_letters(lower(piece))) is_said = true;
   }
   return join(result, " ");
 }

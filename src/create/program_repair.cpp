@@ -8,6 +8,7 @@
 #include "roomgen/base/text.h"
 #include "roomgen/shape/program.h"
 #include "shape/color.h"
+#include "shape/motifs.h"
 
 namespace roomgen::create {
 
@@ -159,7 +160,8 @@ class Repair {
       surface["color"] = known.empty() ? plain_color : known;
     }
     const std::string pattern = text_at(surface, "pattern");
-    if (!pattern.empty() && pattern.front() != '$' && !has(shape::pattern_names(), pattern)) {
+    if (!pattern.empty() && pattern.front() != '$' && !has(shape::pattern_names(), pattern) &&
+        !shape::find_motif(pattern)) {
       note("the pattern \"" + shortened(pattern, 40) + "\" is not known and was left out");
       surface.erase("pattern");
     }

@@ -5,12 +5,15 @@
 #include <nlohmann/json.hpp>
 
 #include "part_forms.h"
+#include "library/looks.h"
 #include "parts.h"
 #include "reshape.h"
 #include "roomgen/base/json.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/shape/evaluate.h"
 #include "rule_steps.h"
 #include "settings.h"
+#include "shape/motifs.h"
 
 namespace roomgen::create {
 
@@ -82,6 +85,16 @@ class RuleMaker final : public Maker {
     return program;
   }
 
+  // What its words say that the cloth shows.
+  static void print_cloth(const Description& description, const ShapeKind& kind,
+                          const std::vector<std::string>& cloths, shape::Program& program) {
+    const auto prints = shape::motifs_on_cloth(description.prompt);
+    if (prints.empty() || count_parts(program, "print") > 0 || !KindTable::built_in().is_any_of(kind.name, printed_cloths)) return;
+    for (auto& surface : program.materials)
+      if (std::find(cloths.begin(), cloths.end(), surface.name) != cloths.end())
+        surface.pattern = prints.front();
+  }
+
   Result<shape::Program> from_recipe(const MakeRequest& request, const ShapeKind& kind) {
     const ShapeKinds& kinds = *ShapeKinds::built_in();
     const Words& words = *built_in_words();
@@ -115,6 +128,7 @@ class RuleMaker final : public Maker {
         program = *std::move(better);
     for (std::size_t i = 0; i < description.parts.size(); ++i)
       fit_height(description.parts[i].label, settings.unmet[i].size.z(), *parameters, *program, settings.values, make);
+    print_cloth(description, kind, surfaces_of(recipe, kind.main), *program);
     program->name = description.noun;
     program->about = description.prompt;
     program->ways = ways_of(*parameters, settings.values);

@@ -7,6 +7,8 @@
 #include "relative_size.h"
 #include "roomgen/base/text.h"
 #include "shape/color.h"
+#include "library/looks.h"
+#include "roomgen/kinds/kind_table.h"
 #include "shape/motifs.h"
 #include "sizing.h"
 
@@ -92,7 +94,12 @@ class Chooser {
 
   // What a picture shows, and what it or a sign says.
   void print() {
-    const Print print = print_in(description_.prompt);
+    Print print = print_in(description_.prompt);
+    if (KindTable::built_in().is_any_of(kind_.name, printed_cloths)) {
+      const auto prints = shape::motifs_on_cloth(description_.prompt);
+      print.motif = prints.empty() ? "" : prints.front();
+      if (!print.motif.empty() && find("theme")) (void)set_word("pattern", "none");
+    }
     const auto set = [&](const char* name, const std::string& text) {
       const shape::Parameter* parameter = find(name);
       if (parameter && parameter->text && !text.empty()) result_.values[name] = text;

@@ -6,8 +6,6 @@ namespace roomgen::create::detail {
 
 namespace {
 
-constexpr double reach = 0.002;
-
 // Where the mesh is below the height: its vertices and where its edges cross it.
 void collect_below(const Mesh& mesh, double height, std::vector<Vec2>& points) {
   for (const auto& t : mesh.triangles)
@@ -28,7 +26,7 @@ std::vector<Vec2> plan_outline(const Part& part) {
   return convex_hull(std::move(points));
 }
 
-Standing standing(const std::vector<Part>& parts) {
+Standing standing(const std::vector<Part>& parts, double reach) {
   Standing result;
   result.low = 1e300;
   double volume = 0.0;

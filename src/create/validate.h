@@ -18,6 +18,8 @@ struct ValidateOptions {
   double contact = 0.002;  ///< bodies this near touch, metres
   double sink = 0.002;     ///< how deep a part that was moved sinks into what it is joined to
   int rounds = 4;
+  /// Labels tell nothing of what shall touch or stand, and the whole goes on its lowest point.
+  bool as_drawn = false;
 };
 
 /// Measures only.

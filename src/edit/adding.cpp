@@ -3,6 +3,7 @@
 #include "generate/asset_task.h"
 #include "generate/retrieve.h"
 #include "generate/window_cover.h"
+#include "generate/written_thing.h"
 #include "operations.h"
 #include "placing.h"
 #include "roomgen/base/text.h"
@@ -23,16 +24,18 @@ Result<Mount> mount_for(const Kind& kind, const edit::Add& add) {
   const auto may = [&](Mount mount) {
     return kind.mount == mount || std::find(kind.also.begin(), kind.also.end(), mount) != kind.also.end();
   };
+  if (add.mount) return *add.mount;
+  const bool is_free = is_of_no_kind(kind) || !add.program.empty();
+  if (is_free && wants(add.relations, RelationKind::hang_from)) return Mount::ceiling;
   const bool rests = wants(add.relations, RelationKind::on) || wants(add.relations, RelationKind::inside);
   if (!rests) return kind.mount;
-  // What nobody knows may stand anywhere.
-  if (may(Mount::surface) || kind.name.empty()) return Mount::surface;
+  if (is_free || may(Mount::surface)) return Mount::surface;
   return cannot("a " + kind.name + " does not stand on other things");
 }
 
 PlanItem item_for(const Kind& kind, const edit::Add& add, Mount mount) {
   PlanItem item;
-  item.category = kind.name.empty() ? lower(add.category) : kind.name;
+  item.category = is_of_no_kind(kind) ? lower(add.category) : kind.name;
   item.description = add.description.empty() ? add.category : add.description;
   item.size = add.size;
   item.quantity = add.count;
@@ -103,10 +106,27 @@ Status place_newcomer(Draft& draft, const Newcomer& newcomer, const AssetInfo& a
   return {};
 }
 
+// What stands here already and was drawn for this room, where the library only guesses.
+const Object* drawn_twin(const Draft& draft, const PlanItem& item) {
+  const Object* twin = nullptr;
+  for (const auto& object : draft.scene.objects) {
+    const bool is_drawn = object.asset.procedural && object.asset.procedural->recipe == "program";
+    if (!is_drawn || object.category != item.category) continue;
+    if (!twin || object.description == item.description) twin = &object;
+  }
+  return twin;
+}
+
 // The assets that suit the words, in order; the last chance of the first one is that others make way.
-Status bring(Draft& draft, const Newcomer& newcomer, Favourites& favourites) {
-  const auto assets = retrieve({draft.shop.library(), draft.shop.kinds(), draft.scene.seed}, favourites, newcomer.item,
-                               newcomer.planned, most_assets);
+Status bring(Draft& draft, Newcomer newcomer, Favourites& favourites) {
+  const AssetSearch search{draft.shop.library(), draft.shop.kinds(), draft.scene.seed};
+  auto assets = retrieve(search, favourites, newcomer.item, newcomer.planned, most_assets);
+  const bool is_guess = assets && (assets->empty() || assets->front().stand_in || assets->front().approximate);
+  if (const Object* twin = is_guess ? drawn_twin(draft, newcomer.item) : nullptr) {
+    newcomer.item.asset = asset_key(twin->asset);
+    if (!newcomer.item.size) newcomer.item.size = twin->size;
+    assets = retrieve(search, favourites, newcomer.item, newcomer.planned, most_assets);
+  }
   if (!assets) return assets.error();
   if (assets->empty())
     return cannot("no asset is a " + newcomer.item.category +
@@ -129,6 +149,17 @@ const Kind& kind_to_add(const KindTable& kinds, const edit::Add& add) {
   return kind;
 }
 
+Status build_as_written(Draft& draft, const std::string& program, PlanItem& item) {
+  auto thing = written_thing(draft.shop.library(), program, item, draft.scene.seed);
+  if (!thing) return with_context(thing.error(), "/program");
+  item.asset = asset_key(thing->asset.ref);
+  item.size = thing->asset.size;
+  for (const auto& note : thing->notes) draft.told.push_back(item.category + ", as written: " + note);
+  return {};
+}
+
+bool is_of_no_kind(const Kind& kind) { return kind.name.empty() || kind.is_stand_in(); }
+
 Status carry_out(Draft& draft, const edit::Add& add) {
   const Kind& kind = kind_to_add(draft.shop.kinds(), add);
   if (draft.scene.objects.size() + static_cast<std::size_t>(add.count) > most_things)
@@ -138,10 +169,13 @@ Status carry_out(Draft& draft, const edit::Add& add) {
   const auto room = room_for_new(draft, add);
   if (!room) return room.error();
   if (auto status = check_targets(draft, *room, add.relations); !status) return status;
+  PlanItem item = item_for(kind, add, *mount);
+  if (!add.program.empty())
+    if (auto status = build_as_written(draft, add.program, item); !status) return status;
   Favourites favourites;
   Requirement wish;
   for (int number = 0; number < add.count; ++number) {
-    Newcomer newcomer{{"", 0, number}, item_for(kind, add, *mount), kind, *room};
+    Newcomer newcomer{{"", 0, number}, item, kind, *room};
     newcomer.planned.id = next_id(draft.scene, newcomer.item.category);
     if (auto status = bring(draft, newcomer, favourites); !status) return status;
     const Object& object = *find_object(draft.scene, newcomer.planned.id);

@@ -49,6 +49,7 @@ struct Draft {
   Random random;
   std::set<std::string> named;  ///< objects that the edit is about, whatever became of them
   std::vector<std::string> added;
+  std::vector<std::string> told;  ///< what whoever asked should know of it
   std::vector<Move> repairs;
   std::vector<Requirement> wishes;       ///< that the edit adds, without ids
   std::set<std::string> new_categories;  ///< of which it brought or took something

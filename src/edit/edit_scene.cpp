@@ -82,6 +82,7 @@ Result<EditedScene> edit_scene(Workshop& shop, const Scene& scene, const Scene* 
   edited.report.added = std::move(draft.added);
   edited.report.repairs = std::move(draft.repairs);
   edited.report.changes = differences(scene, draft.scene);
+  edited.report.changes.insert(edited.report.changes.end(), draft.told.begin(), draft.told.end());
   edited.scene = std::move(draft.scene);
   return edited;
 }

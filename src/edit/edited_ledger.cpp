@@ -106,15 +106,14 @@ std::set<std::string> gone_ids(const Scene& before, const Scene& after) {
 
 std::string counted(int count, const std::string& category) { return std::to_string(count) + " " + category; }
 
-// Fewer of a kind: the number that was asked for is another one now.
+// Fewer of a kind than were asked for: the number is another one now.
 Requirement fewer(const Requirement& requirement, const std::vector<std::string>& left) {
   Requirement now = requirement;
   now.id.clear();
   now.source = Requirement::Source::edit;
   now.picture = 0;
   now.subjects = left;
-  const int gone = static_cast<int>(requirement.subjects.size() - left.size());
-  now.count = std::max(0, requirement.count - gone);
+  now.count = static_cast<int>(left.size());
   now.clause = counted(now.count, requirement.category);
   return now;
 }
@@ -130,7 +129,8 @@ void forget(const std::set<std::string>& gone, Draft& draft) {
     const bool lost_some = left.size() < asked.subjects.size();
     if ((lost_some && left.empty()) || (targets.empty() && !asked.targets.empty())) {
       withdraw(verdict, by_an_edit);
-    } else if (lost_some && asked.kind == Requirement::Kind::count) {
+    } else if (asked.kind == Requirement::Kind::count && lost_some &&
+               static_cast<int>(left.size()) < asked.count) {
       draft.wishes.push_back(fewer(asked, left));
       withdraw(verdict, by_an_edit);
     } else {
@@ -158,7 +158,8 @@ bool went_by_an_edit(const RequirementVerdict& verdict) {
   return verdict.compliance == Compliance::withdrawn && verdict.reason == by_an_edit;
 }
 
-// New things take the places of those of their kind that went before: by who went.
+// New things take the places of those of their kind that went before, or never found one: by who
+// is not there.
 std::map<std::string, std::string> heirs_of(const Requirement& wish, const Draft& draft) {
   std::map<std::string, std::string> heirs;
   if (wish.kind != Requirement::Kind::count) return heirs;
@@ -168,8 +169,9 @@ std::map<std::string, std::string> heirs_of(const Requirement& wish, const Draft
   });
   for (const auto& verdict : draft.scene.requirements) {
     const Requirement& asked = verdict.requirement;
-    if (!went_by_an_edit(verdict) || asked.kind != wish.kind || asked.category != wish.category ||
-        asked.room != wish.room)
+    const bool is_open = went_by_an_edit(verdict) || verdict.compliance == Compliance::not_met;
+    if (!is_open || asked.kind != wish.kind || asked.room != wish.room ||
+        !draft.shop.kinds().is_a(wish.category, asked.category))
       continue;
     for (const auto& id : asked.subjects)
       if (!find_object(draft.scene, id) && heirs.size() < fresh.size())
@@ -178,21 +180,25 @@ std::map<std::string, std::string> heirs_of(const Requirement& wish, const Draft
   return heirs;
 }
 
-// What was asked of those that went is asked of their heirs. Whether anything was.
+// What was asked of those that are not there is asked of their heirs. Whether anything was.
 bool ask_again(const Requirement& wish, Draft& draft, std::set<std::string>& again) {
   const auto heirs = heirs_of(wish, draft);
-  const std::size_t before = again.size();
+  bool any = false;
   for (auto& verdict : draft.scene.requirements) {
-    if (heirs.empty() || !went_by_an_edit(verdict)) continue;
+    const bool is_withdrawn = verdict.compliance == Compliance::withdrawn;
+    if (heirs.empty() || (is_withdrawn && !went_by_an_edit(verdict))) continue;
     Requirement renewed = verdict.requirement;
     for (auto* ids : {&renewed.subjects, &renewed.targets})
       for (auto& id : *ids)
         if (const auto heir = heirs.find(id); heir != heirs.end()) id = heir->second;
-    if (renewed == verdict.requirement || is_about_gone(renewed, draft.scene)) continue;
-    verdict = {renewed, Compliance::met, ""};
-    again.insert(renewed.id);
+    if (renewed == verdict.requirement) continue;
+    if (is_withdrawn && is_about_gone(renewed, draft.scene)) continue;
+    if (is_withdrawn) again.insert(renewed.id);
+    verdict = {renewed, Compliance::not_met, ""};
+    any = true;
   }
-  return again.size() > before;
+  std::erase_if(draft.scene.unplaced, [&](const auto& one) { return heirs.count(one.id) > 0; });
+  return any;
 }
 
 // The ids of those that were withdrawn and are asked again.

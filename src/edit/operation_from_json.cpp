@@ -10,6 +10,7 @@ namespace roomgen::edit {
 namespace {
 
 constexpr std::size_t most_named = 1000, most_operations = 200;
+constexpr std::size_t longest_program = 400'000;  // bytes
 constexpr int most_added = 50;
 constexpr double furthest = 1e4, largest = 100.0;  // metres
 
@@ -47,13 +48,25 @@ std::vector<Relation> relations_of(const JsonReader& json) {
   return relations;
 }
 
+// As it was written: who builds it says what is wrong with it.
+std::string program_of(const JsonReader& json) {
+  if (!json.exists() || json.raw()->is_null()) return {};
+  std::string text = json_line(*json.raw());
+  if (json.raw()->is_object() && text.size() <= longest_program) return text;
+  json.report("is no shape program of at most " + std::to_string(longest_program) + " bytes");
+  return {};
+}
+
 Operation read_add(const JsonReader& json) {
-  json.allow_only({"do", "category", "description", "size", "count", "relations", "room"});
+  json.allow_only({"do", "category", "description", "size", "count", "relations", "room", "program", "mount"});
   Add add{json["category"].text(200), json["description"].text_or("", 1000)};
   if (json["size"].exists()) add.size = size_of(json["size"]);
   add.count = static_cast<int>(json["count"].integer_or(1, 1, most_added));
   add.relations = relations_of(json["relations"]);
   add.room = json["room"].text_or("", 200);
+  add.program = program_of(json["program"]);
+  if (json["mount"].exists()) add.mount = parse_mount(json["mount"].text(20));
+  if (json["mount"].exists() && !add.mount) json["mount"].report("is floor, wall, ceiling or surface");
   return add;
 }
 
@@ -100,9 +113,10 @@ Operation read_swap(const JsonReader& json) {
 }
 
 Operation read_replace(const JsonReader& json) {
-  json.allow_only({"do", "object", "category", "description", "size"});
+  json.allow_only({"do", "object", "category", "description", "size", "program"});
   Replace replace{json["object"].text(200), json["category"].text_or("", 200), json["description"].text_or("", 1000)};
   if (json["size"].exists()) replace.size = size_of(json["size"]);
+  replace.program = program_of(json["program"]);
   return replace;
 }
 

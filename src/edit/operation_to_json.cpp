@@ -22,6 +22,12 @@ void add_text(Json& json, const char* key, const std::string& text) {
   if (!text.empty()) json[key] = text;
 }
 
+void add_program(Json& json, const std::string& program) {
+  if (program.empty()) return;
+  const auto parsed = parse_json(program, "program");
+  json["program"] = parsed ? *parsed : Json(program);
+}
+
 void add_number(Json& json, const char* key, const std::optional<double>& number) {
   if (number) json[key] = rounded(*number);
 }
@@ -44,6 +50,8 @@ struct Writer {
     if (add.count != 1) json["count"] = add.count;
     if (!add.relations.empty()) json["relations"] = texts_of(add.relations);
     add_text(json, "room", add.room);
+    add_program(json, add.program);
+    if (add.mount) json["mount"] = name(*add.mount);
     return json;
   }
   Json operator()(const Remove& remove) const {
@@ -84,6 +92,7 @@ struct Writer {
     add_text(json, "category", replace.category);
     add_text(json, "description", replace.description);
     if (replace.size) json["size"] = numbers_of(*replace.size);
+    add_program(json, replace.program);
     return json;
   }
   Json operator()(const Resize& resize) const {

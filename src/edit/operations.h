@@ -36,6 +36,10 @@ Status carry_out(Draft& draft, const edit::Revert& revert);
 /// The kind that is brought: what goes onto other things may be another sort of it, a lamp on a table a table
 /// lamp.
 const Kind& kind_to_add(const KindTable& kinds, const edit::Add& add);
+/// A stand-in, or nothing that is known: plans and scenes call such a thing as it was called.
+bool is_of_no_kind(const Kind& kind);
+/// The item gets what its program builds as its asset.
+Status build_as_written(Draft& draft, const std::string& program, PlanItem& item);
 /// The id that the next new thing of a category gets in this scene, after `further` others.
 std::string next_id(const Scene& scene, const std::string& category, int further = 0);
 

@@ -33,10 +33,12 @@ struct Replacement {
   std::optional<Vec3> size;  ///< where it is said, or as the thing before
   bool is_told = false;      ///< the size is
   Comparison comparison;     ///< with the thing before
+  std::string asset = {};    ///< key of what was written for it; empty: the library finds it
 };
 
 Replacement replacement_for(const Object& object, const std::string& category, const edit::Replace& replace) {
-  Replacement other{category, "", replace.size, replace.size.has_value(), comparison_in(replace.description)};
+  Replacement other{category, "", replace.size, replace.size.has_value(),
+                    comparison_in(replace.description)};
   other.description = other.comparison.description;
   if (!other.size && !other.comparison.ways.empty()) {
     other.size = compared_size(other.comparison, object.size, object.mount == Mount::floor);
@@ -59,12 +61,13 @@ AssetQuery query_for(const Object& object, const Replacement& other) {
 }
 
 // The thing as another mesh makes it; its relations stay.
-Object remade(const Draft& draft, const Object& object, const Kind& kind, const AssetInfo& asset, const Model* model,
-              const std::string& description, const std::optional<Vec3>& size) {
+Object remade(const Draft& draft, const Object& object, const Replacement& other, const Kind& kind,
+              const AssetInfo& asset, const Model* model) {
   PlanItem item;
-  item.size = size;
-  item.category = kind.name.empty() ? object.category : kind.name;
-  item.description = description;
+  if (other.is_told) item.size = other.size;
+  if (!other.asset.empty()) item.size = asset.size;
+  item.category = other.category;
+  item.description = other.description.empty() ? object.description : other.description;
   item.mount = object.mount;
   item.asked = true;
   item.relations = object.relations;
@@ -80,6 +83,7 @@ Object remade(const Draft& draft, const Object& object, const Kind& kind, const 
 // A finish of its own makes another one of the same mesh, where words ask for it. Sizes that are told are looked at
 // with the thing as it would be.
 bool is_another(const AssetMatch& match, const Object& object, const Replacement& other) {
+  if (!other.asset.empty()) return true;
   const bool has_words = !other.description.empty() && other.description != other.category;
   if (!is_same_mesh(match.asset.ref, object.asset)) return !has_words || match.contradicts == Contradiction::none;
   return has_words && match.contradicts == Contradiction::none && match.asset.ref.finish != object.asset.finish;
@@ -104,6 +108,7 @@ Status none_is_so(const Object& object, const Replacement& other, const std::vec
 constexpr double most_off_size = 0.1;  // share by which a side that is told may differ
 
 bool is_as_told(const Replacement& other, const Kind& kind, const Vec3& size, const Vec3& before) {
+  if (!other.asset.empty()) return true;
   if (!other.comparison.ways.empty()) return holds(other.comparison, size, before);
   for (int axis = 0; other.is_told && axis < 3; ++axis) {
     const double told = (*other.size)[axis];
@@ -114,6 +119,11 @@ bool is_as_told(const Replacement& other, const Kind& kind, const Vec3& size, co
 
 // Those that have the size that is told, and then others whose size is looked at with the thing as it would be.
 Result<std::vector<AssetMatch>> alternatives(const Draft& draft, const Object& object, const Replacement& other) {
+  if (!other.asset.empty()) {
+    const auto asset = draft.shop.library().find(other.asset);
+    if (!asset) return asset.error();
+    return std::vector<AssetMatch>{{*asset, 1.0}};
+  }
   AssetQuery query = query_for(object, other);
   auto matches = draft.shop.library().search(query);
   if (!matches || !query.sized) return matches;
@@ -160,29 +170,41 @@ const Kind& kind_instead(const KindTable& kinds, const Object& object, const std
   return small ? kinds.planned(*small) : kind;
 }
 
+Status write_replacement(Draft& draft, const Object& object, const std::string& program, Replacement& other) {
+  PlanItem item;
+  item.category = other.category;
+  item.description = other.description.empty() ? object.description : other.description;
+  if (other.is_told) item.size = other.size;
+  item.mount = object.mount;
+  auto status = build_as_written(draft, program, item);
+  other.asset = item.asset;
+  return status;
+}
+
 }  // namespace
 
 Status carry_out(Draft& draft, const edit::Replace& replace) {
   const auto object = object_to_change(draft, replace.object);
   if (!object) return object.error();
   const Kind& kind = kind_instead(draft.shop.kinds(), *object, replace.category);
-  const std::string category = kind.name.empty() ? lower(replace.category) : kind.name;
-  const bool is_other_kind = category != object->category;
-  if (is_other_kind && kind.mount != object->mount &&
+  const std::string called = replace.category.empty() ? object->category : lower(replace.category);
+  const std::string category = is_of_no_kind(kind) ? called : kind.name;
+  const bool is_other_kind = category != object->category, is_written = !replace.program.empty();
+  if (is_other_kind && !is_written && !is_of_no_kind(kind) && kind.mount != object->mount &&
       std::find(kind.also.begin(), kind.also.end(), object->mount) == kind.also.end())
     return cannot("a " + category + " is not put up like " + object->id + "; remove the one and add the other");
-  const Replacement other = replacement_for(*object, category, replace);
+  Replacement other = replacement_for(*object, category, replace);
+  if (is_written)
+    if (auto status = write_replacement(draft, *object, replace.program, other); !status) return status;
   const auto matches = alternatives(draft, *object, other);
   if (!matches) return matches.error();
-  const std::string description = other.description.empty() ? object->description : other.description;
   std::vector<std::string> sizes;  // of those that are not as they should be in comparison
   std::string why = "there is no other " + category;
   for (const auto& match : *matches) {
     if (!is_another(match, *object, other)) continue;
     const auto model = draft.shop.fetch_model(match.asset.ref);
     if (!model) return model.error();
-    Object made = remade(draft, *object, kind, match.asset, model->get(), description,
-                         other.is_told ? other.size : std::nullopt);
+    Object made = remade(draft, *object, other, kind, match.asset, model->get());
     if (!is_as_told(other, kind, made.size, object->size)) {
       note_size(sizes, made.size);
       continue;

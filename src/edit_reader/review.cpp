@@ -92,19 +92,50 @@ Json with_ids(const Json& json, const NewNames& names) {
   return result;
 }
 
+// Takes what the answer calls a new thing out of the operation.
+std::string take_name(Json& operation) {
+  if (!operation.is_object() || !operation.contains("as")) return {};
+  const std::string name = operation["as"].is_string() ? operation["as"].get<std::string>() : "";
+  operation.erase("as");
+  return name;
+}
+
+// As it was asked, without what fills pages.
+std::string told_operation(Json operation) {
+  if (operation.is_object() && operation.contains("program")) operation["program"] = "...";
+  return json_line(operation);
+}
+
+// Is a thing taken out so that another one of its kind comes? Then it goes only if that one comes.
+bool is_exchange(const Session& session, const Json& first, const Json& second) {
+  const auto out = edit::operation_from_json(first, "operation"), in = edit::operation_from_json(second, "operation");
+  const auto* remove = out ? std::get_if<edit::Remove>(&*out) : nullptr;
+  const auto* add = in ? std::get_if<edit::Add>(&*in) : nullptr;
+  return remove && add && std::any_of(remove->objects.begin(), remove->objects.end(), [&](const std::string& id) {
+           const Object* gone = find_object(session.scene(), id);
+           return gone && session.kinds().is_a(gone->category, add->category);
+         });
+}
+
 // Each by itself: what one cannot do costs none of the others.
 void carry_out(Session& session, const std::vector<Json>& operations, ReviewRound& round) {
   NewNames names;
-  for (const auto& said : operations) {
-    Json one = with_ids(said, names);
-    std::string name;
-    if (one.is_object() && one.contains("as") && one["as"].is_string()) name = one["as"].get<std::string>();
-    if (one.is_object()) one.erase("as");
-    const auto read = edit::operations_from_json(Json::array({one}), "operation");
-    const auto report = read ? session.apply(*read, {json_line(one), "model"}) : Result<EditReport>(read.error());
-    if (!report) round.refused.push_back(json_line(one) + ": " + report.error().message);
+  for (std::size_t i = 0; i < operations.size(); ++i) {
+    Json together = Json::array({with_ids(operations[i], names)});
+    std::string name = take_name(together.back());
+    if (i + 1 < operations.size()) {
+      Json next = with_ids(operations[i + 1], names);
+      const std::string next_name = take_name(next);
+      if (is_exchange(session, together.front(), next)) together.push_back(next), name = next_name, ++i;
+    }
+    std::string asked;
+    for (const auto& one : together) asked += (asked.empty() ? "" : " ") + told_operation(one);
+    const auto read = edit::operations_from_json(together, "operation");
+    const auto report = read ? session.apply(*read, {asked, "model"}) : Result<EditReport>(read.error());
+    if (!report) round.refused.push_back(asked + ": " + report.error().message);
     else round.changes.insert(round.changes.end(), report->changes.begin(), report->changes.end());
-    if (report && !name.empty() && !report->added.empty()) names[name] = report->added.front();
+    for (std::size_t k = 0; report && !name.empty() && k < report->added.size(); ++k)
+      names[k == 0 ? name : name + " " + std::to_string(k + 1)] = report->added[k];
   }
 }
 

@@ -9,7 +9,7 @@
 #include "library/qualifiers.h"
 #include "offers.h"
 #include "roomgen/base/text.h"
-#include "roomgen/create/create.h"
+#include "written_thing.h"
 
 namespace roomgen {
 
@@ -28,85 +28,83 @@ PlanItem named_by(PlanItem item, const std::string& words) {
   return item;
 }
 
+constexpr int most_looks = 2;  // at what was written, the last only at what is wrong still
+
 /// What a designer makes for one room, from the first answer to what becomes of it.
 class Workshop {
  public:
   Workshop(Workplace& place, const std::vector<AssetOffer>& offers)
       : place_(place), request_{place.plan, {}, create::program_schema()}, made_(offers.size()) {
-    for (const auto& offer : offers) request_.things.push_back({offer, "", {}});
+    for (const auto& offer : offers) things_.push_back({offer, "", {}});
     request_.cancel = place.options.cancel;
   }
 
   std::vector<MadeThing> run() {
-    if (!ask()) return std::move(made_);
+    for (std::size_t i = 0; i < things_.size(); ++i) asked_.push_back(i);
+    const std::vector<std::size_t> all = asked_;
+    const auto is_noted = [&](std::size_t i) { return !things_[i].notes.empty(); };
+    const auto is_sound = [&](std::size_t i) { return made_[i].fault.empty(); };
+    auto written = ask();
     request_.again = true;
     if (place_.options.renderer) request_.sheets = [&] { return sheets(); };
-    const auto is_noted = [](const ThingToMake& thing) { return !thing.notes.empty(); };
-    if (request_.sheets || std::any_of(request_.things.begin(), request_.things.end(), is_noted))
-      ask();
+    for (int look = 1; look <= most_looks && written; ++look) {
+      // All are seen once; what was written anew and is not right is seen once more.
+      asked_ = look == 1 ? all : *std::move(written);
+      if (look > 1) std::erase_if(asked_, is_sound);
+      const bool any = std::any_of(asked_.begin(), asked_.end(), is_noted);
+      if (!any && (look > 1 || !request_.sheets)) break;
+      written = ask();
+    }
     return std::move(made_);
   }
 
  private:
-  // False where there was no answer.
-  bool ask() {
+  // Which were written; nothing where there was no answer.
+  std::optional<std::vector<std::size_t>> ask() {
+    request_.things.clear();
+    for (const std::size_t i : asked_) request_.things.push_back(things_[i]);
     auto answer = place_.designer.make(request_);
-    if (!account(answer, place_)) return false;
+    if (!account(answer, place_)) return std::nullopt;
     ChoiceRound round;
-    for (std::size_t i = 0; i < made_.size(); ++i) {
-      const auto program = answer->programs.find(i);
-      if (program != answer->programs.end())
-        take(program->second, request_.things[i], made_[i]);
-      else if (!request_.again)
-        request_.things[i].notes = {made_[i].fault = "no program was written for it"};
+    std::vector<std::size_t> written;
+    for (std::size_t k = 0; k < asked_.size(); ++k) {
+      const std::size_t i = asked_[k];
+      const auto program = answer->programs.find(k);
+      if (program != answer->programs.end()) {
+        take(program->second, things_[i], made_[i]);
+        written.push_back(i);
+      } else if (!request_.again) {
+        things_[i].notes = {made_[i].fault = "no program was written for it"};
+      }
       round.taken.push_back(made_[i].asset ? asset_key(made_[i].asset->ref) : "");
+      round.making.push_back(things_[i]);
     }
-    round.making = request_.things;
     round.answer.consultation = std::move(answer->consultation);
     place_.choices.push_back(std::move(round));
-    return true;
+    return written;
   }
 
   // What was usable before stays until there is something better.
   void take(const std::string& program, ThingToMake& thing, MadeThing& made) const {
+    PlanItem item = place_.plan.items[thing.offer.items.front()];
+    item.description = thing.offer.words;
+    item.size = thing.offer.size;
     thing.program = program;
-    thing.notes.clear();
-    auto asset = asset_of(thing, made.fault);
-    if (asset)
-      made.asset = *std::move(asset);
-    else
-      thing.notes = {made.fault = "the program cannot be used: " + asset.error().message +
+    auto written = written_thing(place_.library, program, item, place_.options.seed);
+    if (written) {
+      made = {std::move(written->asset), std::move(written->fault)};
+      thing.notes = std::move(written->notes);
+    } else {
+      thing.notes = {made.fault = "the program cannot be used: " + written.error().message +
                                   (made.asset ? "; the one before stays" : "")};
-  }
-
-  // The program is the asset.
-  Result<AssetInfo> asset_of(ThingToMake& thing, std::string& fault) const {
-    const AssetOffer& offer = thing.offer;
-    const PlanItem& item = place_.plan.items[offer.items.front()];
-    create::Description description;
-    description.noun = item.category;
-    description.prompt = offer.words;
-    description.size = offer.size;
-    create::CreateOptions options;
-    options.seed = place_.options.seed;
-    auto object = create::create_written(thing.program, description, item.mount, options);
-    if (!object) return object.error();
-    if (object->soundness.sound()) object->soundness.problems.clear();  // only of words
-    fault = join(object->soundness.problems, ", ");
-    for (const auto* told : {&object->notes, &object->repairs, &object->soundness.problems})
-      thing.notes.insert(thing.notes.end(), told->begin(), told->end());
-    AssetRef ref;
-    ref.procedural = {"program", json_line(shape::write_program(object->program)), 0};
-    auto asset = place_.library.find(asset_key(ref));
-    if (asset) asset->mount = item.mount;
-    return asset;
+    }
   }
 
   Result<std::vector<Image>> sheets() const {
     std::vector<ContactSheet::Row> rows;
-    for (std::size_t i = 0; i < request_.things.size(); ++i) {
+    for (const std::size_t i : asked_) {
       if (!made_[i].asset) continue;
-      const AssetOffer& offer = request_.things[i].offer;
+      const AssetOffer& offer = things_[i].offer;
       Object object;
       object.asset = made_[i].asset->ref;
       object.size = made_[i].asset->size;
@@ -121,6 +119,8 @@ class Workshop {
 
   Workplace& place_;
   MakingRequest request_;
+  std::vector<ThingToMake> things_;
+  std::vector<std::size_t> asked_;  ///< of the things, those of the request
   std::vector<MadeThing> made_;
 };
 

@@ -100,10 +100,11 @@ bool contradicts_making(const AssetInfo& asset, const std::vector<std::string>& 
   });
 }
 
-// A picture whose own texts tell of no whale shows something else.
-bool shows_other(const AssetInfo& asset, const std::vector<std::string>& motifs,
-                 const Vocabulary& vocabulary) {
-  if (motifs.empty() || !is_kind_of(asset, {"picture"}, vocabulary)) return false;
+// A picture whose own texts tell of no whale shows something else, and so does a rug.
+bool shows_other(const AssetInfo& asset, const WantedLooks& wanted, const Vocabulary& vocabulary) {
+  const bool is_cloth = is_kind_of(asset, printed_cloths, vocabulary);
+  const auto& motifs = is_cloth ? wanted.prints : wanted.motifs;
+  if (motifs.empty() || (!is_cloth && !is_kind_of(asset, {"picture"}, vocabulary))) return false;
   const auto shown = shape::motifs_in(asset.name + " " + join(asset.tags, " "));
   return std::find_first_of(shown.begin(), shown.end(), motifs.begin(), motifs.end()) == shown.end();
 }
@@ -115,6 +116,7 @@ WantedLooks wanted_looks(std::string_view description) {
   const Qualifiers said = qualify(description);
   WantedLooks wanted;
   wanted.motifs = shape::motifs_in(description);
+  wanted.prints = shape::motifs_on_cloth(description);
   for (const auto& phrase : table.phrases(said.own)) {
     const AttributeMeaning* meaning = table.find(phrase);
     if (!meaning) continue;
@@ -149,7 +151,7 @@ Contradiction contradiction(const AssetInfo& asset, const WantedLooks& wanted, c
   };
   if (contradicts_outline(asset, wanted.outline, vocabulary)) return Contradiction::form;
   if (contradicts_making(asset, wanted.making, vocabulary, says)) return Contradiction::form;
-  if (shows_other(asset, wanted.motifs, vocabulary)) return Contradiction::looks;
+  if (shows_other(asset, wanted, vocabulary)) return Contradiction::looks;
   if (has_part_of(asset, wanted, vocabulary)) return Contradiction::none;
   if (contradicts_color(asset, wanted.colors)) return Contradiction::looks;
   if (wanted.materials.empty()) return Contradiction::none;

@@ -15,6 +15,7 @@ struct WantedLooks {
   std::vector<std::string> materials;  ///< "oak"
   std::string outline;                 ///< "round", "oval", "square", "rectangular"; empty: any
   std::vector<std::string> motifs;     ///< "whale": what a picture of it would show
+  std::vector<std::string> prints;     ///< those that cloth would show
   std::vector<std::string> making;     ///< "six drawer", "tufted": what only who makes it can give it
 
   bool has_equal_sides() const { return outline == "round" || outline == "square"; }
@@ -23,6 +24,10 @@ struct WantedLooks {
 /// Of a description: what is said of the thing itself, and which parts it shall have. Round legs
 /// make no table round.
 WantedLooks wanted_looks(std::string_view description);
+
+/// Kinds whose cloth shows what is said of prints.
+inline const std::vector<std::string> printed_cloths = {"rug", "pillow", "blanket", "curtain",
+                                                        "towel"};
 
 /// Has what was made all that was wanted of its making?
 bool is_made_as_wanted(const Making& making, const WantedLooks& wanted);

@@ -355,7 +355,8 @@ std::vector<Draft> asked_items(const brief::Brief& brief, const KindTable& table
     draft.item.description = described_with_print(brief, mention, table);
     draft.item.size = mention.size;
     draft.item.quantity = mention.quantity;
-    draft.item.varied = mention.varied;
+    // Posters of which nothing is said show each something else.
+    draft.item.varied = mention.varied || are_pictures_of_anything(mention, table);
     draft.item.mount = mention.mount;
     draft.item.height = brief::hanging_height(mention);
     draft.item.asked = true;

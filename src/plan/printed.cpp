@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "library/looks.h"
 #include "shape/motifs.h"
 
 namespace roomgen::plan {
@@ -20,12 +21,6 @@ bool ends_print(const Token& token) {
                                               "behind", "and",  "by", "opposite"};
   return token.kind == Token::Kind::comma || token.kind == Token::Kind::stop ||
          words.count(token.text) > 0;
-}
-
-bool says(const Token& token) {
-  static const std::set<std::string> verbs = {"says",    "saying", "say",      "reads",
-                                              "reading", "read",   "spelling", "spells"};
-  return verbs.count(token.text) > 0;
 }
 
 struct Shown {
@@ -49,7 +44,7 @@ Shown shown_behind(const std::vector<Token>& tokens, std::uint32_t from, bool is
     } else if (ends_print(token)) {
       break;
     } else {
-      is_said = is_sign && says(token);
+      is_said = is_sign && shape::says_letters(token.text);
       shown.text += " " + token.text;
     }
   }
@@ -61,20 +56,28 @@ Shown shown_behind(const std::vector<Token>& tokens, std::uint32_t from, bool is
 std::string described_with_print(const brief::Brief& brief, const brief::Mention& mention,
                                  const KindTable& table) {
   const std::string& description = mention.description;
-  if (!table.is_any_of(mention.category,
-                       {"picture", "map", "neon sign", "wall sign", "wall letters"}))
+  const bool is_cloth = table.is_any_of(mention.category, printed_cloths);
+  if (!is_cloth && !table.is_any_of(mention.category, {"picture", "map", "neon sign", "wall sign",
+                                                       "wall letters"}))
     return description;
   std::uint32_t from = 0;
   for (const auto index : mention.heard)
     if (const auto& heard = brief.heard[index]; heard.as == Heard::As::thing)
       from = std::max(from, heard.tokens.end);
   if (from == 0) return description;
-  const bool is_sign = !table.is_any_of(mention.category, {"picture", "map"});
+  const bool is_sign = !is_cloth && !table.is_any_of(mention.category, {"picture", "map"});
   const Shown shown = shown_behind(brief.tokens, from, is_sign);
   if (!shown.letters.empty()) return "\"" + shown.letters + "\" " + description;
   const auto motifs = shape::motifs_in(shown.text);
   const bool is_told = motifs.empty() || !shape::motifs_in(description).empty();
-  return is_told ? description : motifs.front() + " " + description;
+  if (is_told) return description;
+  return is_cloth ? description + " with " + motifs.front() + " pattern"
+                  : motifs.front() + " " + description;
+}
+
+bool are_pictures_of_anything(const brief::Mention& mention, const KindTable& table) {
+  return mention.quantity > 1 && table.is_any_of(mention.category, {"picture"}) &&
+         shape::motifs_in(mention.description).empty();
 }
 
 }  // namespace roomgen::plan

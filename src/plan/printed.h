@@ -12,4 +12,7 @@ namespace roomgen::plan {
 std::string described_with_print(const brief::Brief& brief, const brief::Mention& mention,
                                  const KindTable& table);
 
+/// Several pictures of which nothing says what they show.
+bool are_pictures_of_anything(const brief::Mention& mention, const KindTable& table);
+
 }  // namespace roomgen::plan

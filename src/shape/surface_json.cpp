@@ -3,6 +3,7 @@
 
 #include "base/json_reader.h"
 #include "color.h"
+#include "motifs.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "solid_json.h"
@@ -42,9 +43,11 @@ Surface read_surface(const std::string& name, const JsonReader& json, const Numb
   surface.opacity = numbers.number_or(json["opacity"], 1.0, 0.05, 1.0);
   surface.pattern = numbers.word(json["pattern"], "none");
   const std::vector<std::string> patterns = pattern_names();
-  if (std::find(patterns.begin(), patterns.end(), surface.pattern) == patterns.end())
+  if (std::find(patterns.begin(), patterns.end(), surface.pattern) == patterns.end() &&
+      !find_motif(surface.pattern))
     json["pattern"].report("no pattern \"" + surface.pattern + "\"; there are " +
-                           join(patterns, ", "));
+                           join(patterns, ", ") +
+                           ", and the motifs of data/motifs.json");
   surface.second = numbers.word(json["second"], "");
   if (!surface.second.empty()) require_color(json["second"], surface.second);
   surface.scale = numbers.number_or(json["scale"], 1.0, 0.05, 20.0);

@@ -1,13 +1,19 @@
 #include "surfaces.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "drawing.h"
+#include "motifs.h"
 #include "picture.h"
+#include "roomgen/base/json.h"
 
 namespace roomgen::shape::detail {
 
 namespace {
+
+constexpr double motif_extent = 0.4;  // metres
 
 std::array<float, 4> linear(const Rgb& color, double opacity) {
   return {linear_from_srgb(color[0]), linear_from_srgb(color[1]), linear_from_srgb(color[2]),
@@ -34,6 +40,24 @@ double aspect_of(const PicturePart& picture) {
   return std::clamp(picture.size.x() / picture.size.y(), 0.2, 5.0);
 }
 
+// A motif in the middle, and smaller at the corners, on the colour: it tiles seamlessly.
+PicturePart printed(const Motif& motif, const Rgb& ground) {
+  char color[8];
+  std::snprintf(color, sizeof color, "#%02x%02x%02x", ground[0], ground[1], ground[2]);
+  const Json figure = figure_of(motif);
+  Json shapes = Json::array();
+  const auto print = [&](double x, double y, double size) {
+    shapes.push_back({{"group", figure},
+                      {"at", {x - 0.5 * size, y - 0.5 * size}},
+                      {"scale", size}});
+  };
+  print(0.5, 0.5, 0.6);
+  for (const int corner : {0, 1, 2, 3}) print(corner % 2, corner / 2, 0.4);
+  PicturePart tile;
+  tile.drawing = json_line({{"ground", color}, {"shapes", shapes}});
+  return tile;
+}
+
 Painted plain(const Surface& surface) {
   Painted result;
   result.material.name = surface.name;
@@ -43,6 +67,10 @@ Painted plain(const Surface& surface) {
   result.first = parse_color(surface.color).value_or(Rgb{204, 204, 204});
   result.material.base_color = linear(result.first, surface.opacity);
   result.pattern = pattern_named(surface.pattern);
+  if (const Motif* motif = find_motif(surface.pattern)) {
+    result.picture = printed(*motif, result.first);
+    result.extent = motif_extent * surface.scale;
+  }
   if (result.pattern == Pattern::none) return result;
   result.second = parse_color(surface.second).value_or(darker(result.first));
   result.extent = pattern_extent(result.pattern) * surface.scale;

@@ -21,7 +21,7 @@ struct Painted {
   double extent = 0.0;
   Pattern pattern = Pattern::none;
   Rgb first = {}, second = {};
-  std::optional<PicturePart> picture;
+  std::optional<PicturePart> picture;  ///< also one that covers it again and again
 };
 
 /// Collects the materials of a program. Textures are painted at last, and only where they show;

@@ -100,3 +100,23 @@ TEST_CASE("A short leg of four is found although the rest stands") {
   REQUIRE(table.open_connections.size() == 1);
   CHECK(table.open_connections.front() == "right and the floor: 80 mm apart");
 }
+
+TEST_CASE("What somebody drew stays as drawn: what floats is told, what nearly touches is not") {
+  const std::string drawn = R"({"components": [
+      {"name": "top", "label": "seat", "box": {"size": [0.4, 0.4, 0.03]}, "at": [0, 0, 0.41]},
+      {"name": "leg", "label": "leg", "box": {"size": [0.04, 0.04, 0.4]}, "at": [0.15, 0.15, 0],
+       "operations": [{"mirror": "x"}, {"mirror": "y"}]},
+      {"name": "spark", "label": "knob", "box": {"size": [0.02, 0.02, 0.02]}, "at": [0, 0, 0.5],
+       "operations": [{"array": {"count": 2, "step": [0.02, 0, 0]}}]}],
+    "connections": [["leg", "top"], ["spark", "leg"]]})";
+  create::Description stool;
+  stool.noun = "stool";
+  const auto made = create::create_written(drawn, stool, Mount::floor);
+  REQUIRE(made);
+  CHECK(made->repairs.empty());
+  REQUIRE(made->shape.bodies.size() == 7);
+  CHECK(bounds(made->shape.bodies.front().mesh).low.z() == Approx(0.41));
+  CHECK(bounds(made->shape.bodies.back().mesh).low.z() == Approx(0.5));
+  CHECK(made->soundness.problems ==
+        std::vector<std::string>{"falls into 2 pieces; loose: spark-0 and 1 more (60 mm from the rest)"});
+}

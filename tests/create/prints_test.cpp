@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "catch.h"
 #include "roomgen/base/json.h"
@@ -87,4 +88,19 @@ TEST_CASE("Neon letters shine in the colour that was said") {
 
 TEST_CASE("Posters of which nothing is said differ") {
   CHECK(program_of(made_of("a poster", 1)) != program_of(made_of("a poster", 4)));
+}
+
+TEST_CASE("Cloth shows what its words say, and is no print where they name a colour") {
+  CHECK(contains_text(program_of(made_of("a blanket with dinosaurs")), R"("pattern":"dinosaur")"));
+  CHECK(contains_text(program_of(made_of("a navy cushion with anchors")), R"("pattern":"anchor")"));
+  const std::string rug = program_of(made_of("a round rug with a compass"));
+  CHECK(contains_text(rug, R"("use":"compass")"));
+  CHECK(contains_text(program_of(made_of("curtains with owls")), R"("use":"owl")"));
+  CHECK_FALSE(contains_text(program_of(made_of("a lemon cushion")), R"("pattern":"lemon")"));
+  // It is painted on the cloth, and nothing of the colour is lost.
+  const auto anchors = made_of("a navy cushion with anchors");
+  const auto& cloth = anchors.shape.materials.front();
+  REQUIRE(cloth.texture);
+  const auto& pixels = cloth.texture->pixels;
+  CHECK(std::set<std::uint8_t>(pixels.begin(), pixels.end()).size() > 3);
 }

@@ -322,6 +322,73 @@ TEST_CASE("What went and comes again is asked for as before") {
   }
 }
 
+namespace {
+
+// A post of 0.3 m on a foot, and a ball that floats over it.
+const char* const drawn_toad = R"({"components": [
+    {"name": "foot", "box": {"size": [0.2, 0.2, 0.1]}, "material": "green"},
+    {"name": "post", "box": {"size": [0.1, 0.1, 0.3]}, "at": [0, 0, 0.1], "material": "green"},
+    {"name": "eye", "ellipsoid": {"size": [0.06, 0.06, 0.06]}, "at": [0, 0, 0.45], "material": "gold"}]})";
+
+}  // namespace
+
+TEST_CASE("What is drawn for a room comes as drawn, stands on things, and its like comes by its name") {
+  TemporaryFolder folder;
+  Session session = open_with(folder, furnished("a study with a desk", 1));
+  edit::Add toad{"toad", "fat green toad", {}, 1, {{RelationKind::on, "desk-0"}}};
+  toad.program = drawn_toad;
+  const auto report = session.apply({{toad}});
+  INFO((report ? "" : report.error().message));
+  REQUIRE(report);
+  REQUIRE(report->added == std::vector<std::string>{"toad-0"});
+  CHECK(std::any_of(report->changes.begin(), report->changes.end(),
+                    [](const std::string& one) { return one.find("loose: eye") != std::string::npos; }));
+  const Object first = *find_object(session.scene(), "toad-0");
+  CHECK(first.on == "desk-0");
+  CHECK(first.size.isApprox(Vec3(0.2, 0.2, 0.51), 1e-3));
+  REQUIRE(session.apply({{edit::Add{"toad", "another toad"}}}));
+  CHECK(find_object(session.scene(), "toad-1")->asset == first.asset);
+
+  edit::Replace other{"toad-1", "frog king", "a frog king"};
+  other.program = drawn_toad;
+  const auto replaced = session.apply({{other}});
+  INFO((replaced ? "" : replaced.error().message));
+  REQUIRE(replaced);
+  CHECK(find_object(session.scene(), "frog king-0")->asset.procedural->recipe == "program");
+
+  toad.program = R"({"components": [{"name": "a", "box": {"size": [1]}}]})";
+  const auto broken = session.apply({{toad}});
+  REQUIRE(!broken);
+  CHECK(broken.error().message.find("/components/0") != std::string::npos);
+}
+
+TEST_CASE("A new thing is counted for what was asked for and found no place") {
+  TemporaryFolder folder;
+  auto scene = scene_from_json(*parse_json(furnished("a study with a desk", 1), "scene"), "scene");
+  REQUIRE(scene);
+  Requirement asked{"r90", Requirement::Kind::count, Requirement::Source::prompt, "2 stools", "stool"};
+  asked.count = 2;
+  asked.subjects = {"stool-0", "stool-1"};
+  scene->requirements.push_back({asked, Compliance::not_met, "stool-0 was left out: no room"});
+  for (const char* id : {"stool-0", "stool-1"}) scene->unplaced.push_back({id, "stool", "no room"});
+  Session session = open_with(folder, dump_json(to_json(*scene)));
+  const auto verdict = [&] {
+    for (const auto& one : session.scene().requirements)
+      if (one.requirement.id == "r90") return one;
+    return RequirementVerdict{};
+  };
+  REQUIRE(session.apply({{edit::Add{"stool", "oak stool"}}}));
+  CHECK(!verdict().met());
+  CHECK(session.scene().unplaced.size() == 1);
+  REQUIRE(session.apply({{edit::Add{"stool", "oak stool"}}}));
+  CHECK(verdict().met());
+  CHECK(session.scene().unplaced.empty());
+  // Of more than were asked for some may go.
+  REQUIRE(session.apply({{edit::Add{"stool", "oak stool", {}, 2}}}));
+  REQUIRE(session.apply({{edit::Remove{{"stool-4", "stool-5"}}}}));
+  CHECK(verdict().met());
+}
+
 TEST_CASE("The light of a room is what was said last, the rest as before") {
   const TemporaryFolder folder;
   auto session = open_with(folder, furnished("a bedroom with a bed and a table lamp", 1));

@@ -66,10 +66,11 @@ Result<Creation> create(const std::string& prompt, Maker& maker, const CreateOpt
 Result<CreatedObject> create_described(const Description& description, Maker& maker,
                                        const CreateOptions& options = {});
 
-/// An object whose program somebody wrote (docs/shapes.md): read, repaired where it is clear what
-/// is meant, validated where it does not stand as one piece, and scaled to the description's size as
-/// far as that shows on nothing. It bears the description's noun, and its words as `about`. An error
-/// has the JSON pointer; notes say what is not as it was described.
+/// An object whose program somebody wrote (docs/shapes.md): read, its spelling mended where it is
+/// clear what is meant, drawn as it is, and scaled to the description's size as far as that shows on
+/// nothing. No part is moved; soundness says what is clearly apart from the rest (12 mm) or tips
+/// over. It bears the description's noun, and its words as `about`. An error has the JSON pointer;
+/// notes say what is not as it was described.
 Result<CreatedObject> create_written(const std::string& program, const Description& description,
                                      Mount mount, const CreateOptions& options = {});
 

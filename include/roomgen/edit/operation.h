@@ -8,6 +8,7 @@
 #include "roomgen/base/json.h"
 #include "roomgen/base/result.h"
 #include "roomgen/geometry/vec.h"
+#include "roomgen/kinds/kind_table.h"
 #include "roomgen/scene/relation.h"
 #include "roomgen/scene/room.h"
 
@@ -23,6 +24,8 @@ struct Add {
   int count = 1;
   std::vector<Relation> relations = {};  ///< all must hold; none: where such things usually stand
   std::string room = {};                 ///< of a dwelling; else that of the first relation's target
+  std::string program = {};  ///< the shape program (docs/shapes.md) that it is built by; empty: the library finds it
+  std::optional<Mount> mount = {};  ///< how it is put up; else as its relations say, or as its kind is
 
   bool operator==(const Add&) const = default;
 };
@@ -95,6 +98,7 @@ struct Replace {
   std::string category = {};     ///< empty: the same
   std::string description = {};  ///< empty: any other
   std::optional<Vec3> size = {};  ///< about so large
+  std::string program = {};  ///< the shape program that it is built by; empty: the library finds it
 
   bool operator==(const Replace&) const = default;
 };
