@@ -127,6 +127,7 @@ Result<Model> build(const Order& order) {
   Model model = to_model(object->shape);
   fit(model, order.size);
   model.making = {all_parts(object->program), object->program.ways};
+  model.making.ways["letters"] = letters_of(object->program.components);
   return model;
 }
 
@@ -137,7 +138,9 @@ Result<Model> build_program(const AssetRef& ref) {
   if (!program) return program.error();
   const auto shape = shape::evaluate_within(*program);
   if (!shape) return shape.error();
-  return to_model(*shape);
+  Model model = to_model(*shape);
+  model.making.ways["letters"] = letters_of(program->components);
+  return model;
 }
 
 Result<Model> made(const AssetRef& ref) {

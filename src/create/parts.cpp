@@ -1,7 +1,9 @@
 #include "parts.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
+#include "roomgen/base/json.h"
 #include "roomgen/shape/evaluate.h"
 
 namespace roomgen::create {
@@ -176,6 +178,31 @@ std::map<std::string, int> all_parts(const shape::Program& program) {
   for (const auto& [name, label] : names)
     if (!counts.count(label)) counts[label] = count_parts(program, label);
   return counts;
+}
+
+namespace {
+
+void collect_letters(const Json& drawing, std::string& letters) {
+  if (!drawing.is_structured()) return;
+  for (const auto& [key, inner] : drawing.items())
+    if (key == "text" && inner.is_string()) letters += " " + inner.get<std::string>();
+    else collect_letters(inner, letters);
+}
+
+}  // namespace
+
+std::string letters_of(const std::vector<shape::Component>& components) {
+  std::string letters;
+  for (const auto& component : components) {
+    if (const auto* group = std::get_if<shape::Group>(&component.solid))
+      letters += letters_of(group->components);
+    if (const auto* text = std::get_if<shape::TextPart>(&component.solid))
+      letters += " " + text->words;
+    if (const auto* picture = std::get_if<shape::PicturePart>(&component.solid))
+      if (const auto drawing = parse_json(picture->drawing, "drawing"))
+        collect_letters(*drawing, letters);
+  }
+  return letters;
 }
 
 Vec3 part_size(const shape::Program& program, std::string_view label) {

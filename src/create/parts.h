@@ -26,6 +26,9 @@ int count_parts(const shape::Program& program, std::string_view label);
 /// That of every label in the program.
 std::map<std::string, int> all_parts(const shape::Program& program);
 
+/// What is written on it: words of its letters and of its drawings.
+std::string letters_of(const std::vector<shape::Component>& components);
+
 /// Of the largest body of this label; 0 when there is none.
 Vec3 part_size(const shape::Program& program, std::string_view label);
 

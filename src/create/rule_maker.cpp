@@ -89,7 +89,9 @@ class RuleMaker final : public Maker {
   static void print_cloth(const Description& description, const ShapeKind& kind,
                           const std::vector<std::string>& cloths, shape::Program& program) {
     const auto prints = shape::motifs_on_cloth(description.prompt);
-    if (prints.empty() || count_parts(program, "print") > 0 || !KindTable::built_in().is_any_of(kind.name, printed_cloths)) return;
+    if (prints.empty() || count_parts(program, "print") > 0 ||
+        !KindTable::built_in().is_any_of(kind.name, printed_cloths))
+      return;
     for (auto& surface : program.materials)
       if (std::find(cloths.begin(), cloths.end(), surface.name) != cloths.end())
         surface.pattern = prints.front();

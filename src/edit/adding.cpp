@@ -121,7 +121,8 @@ const Object* drawn_twin(const Draft& draft, const PlanItem& item) {
 Status bring(Draft& draft, Newcomer newcomer, Favourites& favourites) {
   const AssetSearch search{draft.shop.library(), draft.shop.kinds(), draft.scene.seed};
   auto assets = retrieve(search, favourites, newcomer.item, newcomer.planned, most_assets);
-  const bool is_guess = assets && (assets->empty() || assets->front().stand_in || assets->front().approximate);
+  const bool is_guess = assets && (assets->empty() || assets->front().stand_in ||
+                                   assets->front().approximate);
   if (const Object* twin = is_guess ? drawn_twin(draft, newcomer.item) : nullptr) {
     newcomer.item.asset = asset_key(twin->asset);
     if (!newcomer.item.size) newcomer.item.size = twin->size;
@@ -154,7 +155,8 @@ Status build_as_written(Draft& draft, const std::string& program, PlanItem& item
   if (!thing) return with_context(thing.error(), "/program");
   item.asset = asset_key(thing->asset.ref);
   item.size = thing->asset.size;
-  for (const auto& note : thing->notes) draft.told.push_back(item.category + ", as written: " + note);
+  for (const auto& note : thing->notes)
+    draft.told.push_back(item.category + ", as written: " + note);
   return {};
 }
 

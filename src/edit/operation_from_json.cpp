@@ -58,15 +58,17 @@ std::string program_of(const JsonReader& json) {
 }
 
 Operation read_add(const JsonReader& json) {
-  json.allow_only({"do", "category", "description", "size", "count", "relations", "room", "program", "mount"});
+  json.allow_only({"do", "category", "description", "size", "count", "relations", "room", "program",
+                   "mount"});
   Add add{json["category"].text(200), json["description"].text_or("", 1000)};
   if (json["size"].exists()) add.size = size_of(json["size"]);
   add.count = static_cast<int>(json["count"].integer_or(1, 1, most_added));
   add.relations = relations_of(json["relations"]);
   add.room = json["room"].text_or("", 200);
   add.program = program_of(json["program"]);
-  if (json["mount"].exists()) add.mount = parse_mount(json["mount"].text(20));
-  if (json["mount"].exists() && !add.mount) json["mount"].report("is floor, wall, ceiling or surface");
+  const JsonReader mount = json["mount"];
+  if (mount.exists() && !(add.mount = parse_mount(mount.text(20))))
+    mount.report("is floor, wall, ceiling or surface");
   return add;
 }
 

@@ -170,7 +170,18 @@ const Kind& kind_instead(const KindTable& kinds, const Object& object, const std
   return small ? kinds.planned(*small) : kind;
 }
 
-Status write_replacement(Draft& draft, const Object& object, const std::string& program, Replacement& other) {
+// What is drawn may be put up as anything is.
+Status check_mount(const Object& object, const Kind& kind, const edit::Replace& replace) {
+  const bool may = kind.mount == object.mount || !replace.program.empty() || is_of_no_kind(kind) ||
+                   std::find(kind.also.begin(), kind.also.end(), object.mount) != kind.also.end();
+  if (may) return {};
+  return cannot("a " + kind.name + " is not put up like " + object.id +
+                "; remove the one and add the other");
+}
+
+Status write_asset(Draft& draft, const Object& object, const std::string& program,
+                   Replacement& other) {
+  if (program.empty()) return {};
   PlanItem item;
   item.category = other.category;
   item.description = other.description.empty() ? object.description : other.description;
@@ -189,13 +200,10 @@ Status carry_out(Draft& draft, const edit::Replace& replace) {
   const Kind& kind = kind_instead(draft.shop.kinds(), *object, replace.category);
   const std::string called = replace.category.empty() ? object->category : lower(replace.category);
   const std::string category = is_of_no_kind(kind) ? called : kind.name;
-  const bool is_other_kind = category != object->category, is_written = !replace.program.empty();
-  if (is_other_kind && !is_written && !is_of_no_kind(kind) && kind.mount != object->mount &&
-      std::find(kind.also.begin(), kind.also.end(), object->mount) == kind.also.end())
-    return cannot("a " + category + " is not put up like " + object->id + "; remove the one and add the other");
+  const bool is_other_kind = category != object->category;
+  if (auto status = check_mount(*object, kind, replace); is_other_kind && !status) return status;
   Replacement other = replacement_for(*object, category, replace);
-  if (is_written)
-    if (auto status = write_replacement(draft, *object, replace.program, other); !status) return status;
+  if (auto status = write_asset(draft, *object, replace.program, other); !status) return status;
   const auto matches = alternatives(draft, *object, other);
   if (!matches) return matches.error();
   std::vector<std::string> sizes;  // of those that are not as they should be in comparison

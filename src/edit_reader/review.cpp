@@ -108,13 +108,15 @@ std::string told_operation(Json operation) {
 
 // Is a thing taken out so that another one of its kind comes? Then it goes only if that one comes.
 bool is_exchange(const Session& session, const Json& first, const Json& second) {
-  const auto out = edit::operation_from_json(first, "operation"), in = edit::operation_from_json(second, "operation");
+  const auto out = edit::operation_from_json(first, "operation");
+  const auto in = edit::operation_from_json(second, "operation");
   const auto* remove = out ? std::get_if<edit::Remove>(&*out) : nullptr;
   const auto* add = in ? std::get_if<edit::Add>(&*in) : nullptr;
-  return remove && add && std::any_of(remove->objects.begin(), remove->objects.end(), [&](const std::string& id) {
-           const Object* gone = find_object(session.scene(), id);
-           return gone && session.kinds().is_a(gone->category, add->category);
-         });
+  const auto is_alike = [&](const std::string& id) {
+    const Object* gone = find_object(session.scene(), id);
+    return gone && session.kinds().is_a(gone->category, add->category);
+  };
+  return remove && add && std::any_of(remove->objects.begin(), remove->objects.end(), is_alike);
 }
 
 // Each by itself: what one cannot do costs none of the others.
@@ -126,12 +128,17 @@ void carry_out(Session& session, const std::vector<Json>& operations, ReviewRoun
     if (i + 1 < operations.size()) {
       Json next = with_ids(operations[i + 1], names);
       const std::string next_name = take_name(next);
-      if (is_exchange(session, together.front(), next)) together.push_back(next), name = next_name, ++i;
+      if (is_exchange(session, together.front(), next)) {
+        together.push_back(std::move(next));
+        name = next_name;
+        ++i;
+      }
     }
     std::string asked;
     for (const auto& one : together) asked += (asked.empty() ? "" : " ") + told_operation(one);
     const auto read = edit::operations_from_json(together, "operation");
-    const auto report = read ? session.apply(*read, {asked, "model"}) : Result<EditReport>(read.error());
+    const auto report =
+        read ? session.apply(*read, {asked, "model"}) : Result<EditReport>(read.error());
     if (!report) round.refused.push_back(asked + ": " + report.error().message);
     else round.changes.insert(round.changes.end(), report->changes.begin(), report->changes.end());
     for (std::size_t k = 0; report && !name.empty() && k < report->added.size(); ++k)

@@ -27,7 +27,10 @@ Result<Prompts::Slots> operation_slots(const Prompts& prompts, const Scene& scen
   auto shapes = prompts.render("create-generate-system", {});
   if (!shapes) return shapes.error();
   const design::SceneText first(rooms_of(scene).front(), false);
-  return Prompts::Slots{{"frame", first.frame()}, {"words", *std::move(words)}, {"operations", *std::move(operations)}, {"shapes", *std::move(shapes)}};
+  return Prompts::Slots{{"frame", first.frame()},
+                        {"words", *std::move(words)},
+                        {"operations", *std::move(operations)},
+                        {"shapes", *std::move(shapes)}};
 }
 
 Json operations_schema(const std::string& remark) {

@@ -6,6 +6,7 @@
 #include "library/style_words.h"
 #include "library/vocabulary.h"
 #include "roomgen/base/text.h"
+#include "shape/motifs.h"
 #include "stated_size.h"
 
 namespace roomgen {
@@ -269,11 +270,29 @@ std::vector<std::string> telling_phrases(std::string_view attribute) {
   return phrases;
 }
 
+// "reads OPEN LATE": held against what is written on it.
+std::optional<AttributeVerdict> letters_verdict(const KnownLooks& looks,
+                                                std::string_view attribute) {
+  auto asked = words(attribute);
+  const auto verb = std::find_if(asked.begin(), asked.end(), shape::says_letters);
+  if (verb == asked.end()) return std::nullopt;
+  asked.erase(asked.begin(), verb + 1);
+  const auto known = looks.making.ways.find("letters");
+  if (asked.empty() || known == looks.making.ways.end()) return std::nullopt;
+  const auto there = words(known->second);
+  const bool is_there = std::all_of(asked.begin(), asked.end(), [&](const std::string& word) {
+    return std::find(there.begin(), there.end(), word) != there.end();
+  });
+  const std::string said = "it says \"" + std::string(trim(known->second)) + "\"";
+  return is_there ? yes(said) : no(there.empty() ? "nothing is written on it" : said);
+}
+
 }  // namespace
 
 AttributeVerdict judge_attribute(const KnownLooks& looks, std::string_view attribute) {
   if (const auto stated = read_stated_size(attribute))
     return has_size(*stated, looks.size) ? yes("as measured") : no("it measures " + size_text(looks.size) + " m");
+  if (const auto letters = letters_verdict(looks, attribute)) return *letters;
   auto phrases = telling_phrases(attribute);
   if (phrases.empty()) return unknown("\"" + std::string(attribute) + "\" says nothing");
   const bool of_part = phrases.size() > 1 && has_part(looks, phrases.back());  // "red curtain"

@@ -20,7 +20,7 @@ struct MotifTable {
   std::map<std::string, Motif, std::less<>> motifs;
   std::map<std::string, std::vector<std::string>, std::less<>> palettes;
   std::map<std::string, std::string> motif_of, palette_of, text_of;  ///< by what people call them
-  std::set<std::string, std::less<>> says, shows;  ///< words before letters, and before what is shown
+  std::set<std::string, std::less<>> says, shows;  ///< words before letters, before pictures
   std::set<std::string, std::less<>> tints;        ///< motifs that may name but a colour
 };
 
@@ -133,7 +133,8 @@ std::vector<std::string> motifs_on_cloth(std::string_view text) {
   auto motifs = motifs_in(text);
   if (std::none_of(said.begin(), said.end(),
                    [](const std::string& word) { return motif_table().shows.count(word) > 0; }))
-    std::erase_if(motifs, [](const std::string& motif) { return motif_table().tints.count(motif) > 0; });
+    std::erase_if(motifs,
+                  [](const std::string& motif) { return motif_table().tints.count(motif) > 0; });
   return motifs;
 }
 

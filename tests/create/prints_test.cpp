@@ -5,6 +5,7 @@
 #include <set>
 
 #include "catch.h"
+#include "evaluate/attributes.h"
 #include "roomgen/base/json.h"
 #include "roomgen/create/create.h"
 #include "roomgen/create/maker.h"
@@ -103,4 +104,23 @@ TEST_CASE("Cloth shows what its words say, and is no print where they name a col
   REQUIRE(cloth.texture);
   const auto& pixels = cloth.texture->pixels;
   CHECK(std::set<std::uint8_t>(pixels.begin(), pixels.end()).size() > 3);
+}
+
+TEST_CASE("What is written on a made thing is known") {
+  const auto library = make_created_library();
+  AssetQuery sign;
+  sign.category = "neon sign";
+  sign.description = "neon sign that says NORDWIND";
+  sign.asked = true;
+  const auto found = library->search(sign);
+  REQUIRE(found);
+  REQUIRE_FALSE(found->empty());
+  Object object;
+  object.category = "neon sign";
+  object.asset = found->front().asset.ref;
+  ModelTable models;
+  models.add(asset_key(object.asset), *library->load(object.asset));
+  const auto looks = known_looks(object, models);
+  CHECK(judge_attribute(looks, "says NORDWIND").held);
+  CHECK_FALSE(judge_attribute(looks, "saying SUEDWIND").held);
 }

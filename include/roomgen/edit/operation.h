@@ -24,8 +24,8 @@ struct Add {
   int count = 1;
   std::vector<Relation> relations = {};  ///< all must hold; none: where such things usually stand
   std::string room = {};                 ///< of a dwelling; else that of the first relation's target
-  std::string program = {};  ///< the shape program (docs/shapes.md) that it is built by; empty: the library finds it
-  std::optional<Mount> mount = {};  ///< how it is put up; else as its relations say, or as its kind is
+  std::string program = {};  ///< that it is built by (docs/shapes.md); empty: the library finds it
+  std::optional<Mount> mount = {};  ///< else as its relations say, or as its kind is put up
 
   bool operator==(const Add&) const = default;
 };
@@ -98,7 +98,7 @@ struct Replace {
   std::string category = {};     ///< empty: the same
   std::string description = {};  ///< empty: any other
   std::optional<Vec3> size = {};  ///< about so large
-  std::string program = {};  ///< the shape program that it is built by; empty: the library finds it
+  std::string program = {};  ///< that it is built by; empty: the library finds it
 
   bool operator==(const Replace&) const = default;
 };
