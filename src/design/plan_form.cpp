@@ -125,7 +125,8 @@ std::string line_of(const Composition& composition) {
 }
 
 // A mentioned thing says most of whose anchor it is, less of what it is a part of.
-constexpr double of_anchor = 2.0, of_part = 1.0, told_by_things = 2.0;
+constexpr double of_anchor = 2.0, of_part = 1.0, of_very_kind = 1.0, told_by_things = 2.0;
+constexpr double elsewhere = 0.5;  ///< of what such rooms do not have
 
 double told_of(const Composition& composition, const brief::Brief& brief) {
   const KindTable& table = KindTable::built_in();
@@ -138,7 +139,9 @@ double told_of(const Composition& composition, const brief::Brief& brief) {
     };
     const auto& parts = composition.parts;
     const auto found = std::find_if(parts.begin(), parts.end(), is_it);
-    if (found != parts.end()) told += found == parts.begin() ? of_anchor : of_part;
+    if (found == parts.end()) continue;
+    told += found == parts.begin() ? of_anchor : of_part;
+    if (found->kind == asked->name) told += of_very_kind;
   }
   return told;
 }
@@ -148,6 +151,7 @@ double told_of(const Composition& composition, const brief::Brief& brief) {
 double suitability(const Composition& composition, const std::string& room,
                    const std::string& wish, const brief::Brief& brief) {
   const double ready = plan::readiness(composition, room, wish), told = told_of(composition, brief);
+  if (ready == 0.0) return elsewhere * told;
   return told + (brief.type_known || told > 0.0 || ready > of_anchor ? ready : 0.0);
 }
 

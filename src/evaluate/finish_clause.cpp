@@ -11,7 +11,8 @@ namespace {
 
 constexpr double same_tone = 15.0;  // CIELAB: farther apart they have other names
 
-std::string shown_text(const DrawnFinish& drawn) {
+std::string shown_text(const DrawnFinish& drawn, bool has_colors) {
+  if (has_colors) return drawn.surface.pattern ? drawn.surface.name : "plain paint";
   std::vector<std::string> colors;
   for (const Tone& tone : drawn.tones()) colors.push_back(color_name(tone.x(), tone.y(), tone.z()));
   return join(colors, " and ") + (drawn.surface.pattern ? " " + drawn.surface.name : ", plain");
@@ -62,7 +63,7 @@ std::string finish_fault(std::string_view asked, std::string_view worn, RoomPart
   const bool has_surface = shows_surface(said, as_asked, worn, drawn);
   if (has_colors && has_surface && said.unknown.empty()) return "";
   const bool is_part = (said.surface && has_surface) || (!said.tones.empty() && count > 0);
-  return (is_part ? "partly: drawn as " : "drawn as ") + shown_text(drawn) +
+  return (is_part ? "partly: drawn as " : "drawn as ") + shown_text(drawn, !said.tones.empty() && has_colors) +
          (said.unknown.empty() ? "" : "; nothing draws \"" + join(said.unknown, " ") + "\"");
 }
 

@@ -9,7 +9,6 @@ namespace roomgen {
 
 namespace {
 
-constexpr std::size_t longest_mood = 3;  // words
 constexpr double hours_apart = 2.0;
 constexpr double times_as_bright = 2.0, times_as_warm = 1.25;
 constexpr double usual_lux = 300.0;
@@ -41,28 +40,31 @@ std::string lit_text(const Lighting& light) {
   return said.empty() ? "as usual" : "at " + join(said, ", ");
 }
 
+// What neither says nor changes how it is lit.
+bool is_plain(const std::string& word) {
+  static const std::set<std::string_view> small = {"and", "in", "the", "a", "of", "with", "soft"};
+  return small.count(word) > 0 || finish_words().fillers.count(word) > 0;
+}
+
+bool is_noun_of_light(const std::string& word) {
+  static const std::set<std::string_view> nouns = {"light",    "lighting", "lamplight", "daylight",
+                                                   "sunlight", "gaslight", "glow",      "lit"};
+  return nouns.count(word) > 0;
+}
+
 }  // namespace
 
 Finding judge_light(const std::string& said, const Lighting& light) {
-  static const std::set<std::string_view> nouns = {"light", "lighting", "lamplight", "daylight",
-                                                   "sunlight", "glow", "lit"};
-  static const std::set<std::string_view> small = {"and", "in", "the", "a", "of", "with", "soft"};
   const auto all = words(said);
   bool is_of_light = false, holds = true;
   std::vector<std::string> unknown;
-  for (std::size_t at = 0, length = 1; at < all.size(); at += length) {
-    const Lighting* mood = nullptr;
-    std::string phrase;
-    length = 1;
-    for (std::size_t n = at; n < std::min(at + longest_mood, all.size()); ++n) {
-      phrase += (n > at ? " " : "") + all[n];
-      if (const auto found = finish_words().moods.find(phrase);
-          found != finish_words().moods.end())
-        mood = &found->second, length = n + 1 - at;
-    }
-    is_of_light = is_of_light || mood || nouns.count(all[at]);
+  for (std::size_t at = 0, length = 1; at < all.size(); at += length, length = 1) {
+    const Lighting* mood = finish_words().mood_at(all, at, length);
+    const bool is_noun = is_noun_of_light(all[at]);
+    // "Long polar twilight" is light, "evening dresses on a rail" is none.
+    is_of_light = is_of_light || is_noun || (mood && at + length == all.size());
     holds = holds && (!mood || is_so(*mood, light));
-    if (!mood && !nouns.count(all[at]) && !small.count(all[at])) unknown.push_back(all[at]);
+    if (!mood && !is_noun && !is_plain(all[at])) unknown.push_back(all[at]);
   }
   if (!is_of_light) return {Compliance::not_judged, "nothing measures it"};
   if (holds && unknown.empty()) return {};

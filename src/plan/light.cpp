@@ -7,7 +7,6 @@ namespace roomgen::plan {
 
 namespace {
 
-constexpr std::size_t longest_mood = 3;    ///< words
 constexpr std::size_t reach_of_denial = 2;  ///< "not too bright"
 
 bool is_denied(const brief::Brief& brief, std::size_t at) {
@@ -31,16 +30,12 @@ bool is_of_things(const brief::Brief& brief, const language::Run& tokens) {
 
 Lighting light_of(brief::Brief& brief) {
   Lighting light;
-  const auto& moods = finish_words().moods;
-  for (std::size_t at = 0; at < brief.tokens.size(); ++at) {
-    const Lighting* mood = nullptr;
-    language::Run run{static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at)};
-    std::string phrase;
-    for (std::size_t n = at; n < std::min(at + longest_mood, brief.tokens.size()); ++n) {
-      phrase += (n > at ? " " : "") + brief.tokens[n].text;
-      if (const auto found = moods.find(phrase); found != moods.end())
-        mood = &found->second, run.end = static_cast<std::uint32_t>(n + 1);
-    }
+  std::vector<std::string> texts;
+  for (const auto& token : brief.tokens) texts.push_back(token.text);
+  for (std::size_t at = 0; at < texts.size(); ++at) {
+    std::size_t length = 0;
+    const Lighting* mood = finish_words().mood_at(texts, at, length);
+    const language::Run run{static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + length)};
     if (!mood || is_denied(brief, at) || is_of_things(brief, run)) continue;
     fill(light, *mood);
     hear(brief, run, Heard::As::style);

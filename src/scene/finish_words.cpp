@@ -1,5 +1,6 @@
 #include "finish_words.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/json_reader.h"
@@ -120,6 +121,19 @@ void check_references(const FinishWords& words, const JsonReader& root) {
 }
 
 }  // namespace
+
+const Lighting* FinishWords::mood_at(const std::vector<std::string>& words, std::size_t at,
+                                     std::size_t& length) const {
+  constexpr std::size_t longest_mood = 3;
+  const Lighting* mood = nullptr;
+  std::string phrase;
+  for (std::size_t n = at; n < std::min(at + longest_mood, words.size()); ++n) {
+    phrase += (n > at ? " " : "") + words[n];
+    if (const auto found = moods.find(phrase); found != moods.end())
+      mood = &found->second, length = n + 1 - at;
+  }
+  return mood;
+}
 
 bool FinishWords::describes(std::string_view word) const {
   return substances.count(word) || basic_colors.count(word) || colors.count(word) ||

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <vector>
+#include <vector>
 
 #include "geometry/texture.h"
 #include "roomgen/base/result.h"
@@ -70,6 +71,9 @@ struct FinishWords {
   Words<RoomPart> alone;  ///< "hardwood", "exposed brick": name their part of the room themselves
   std::map<RoomPart, std::vector<UsualFinish>> usual;
 
+  /// The longest phrase of light among words from `at` on, and of how many words it is; or null.
+  const Lighting* mood_at(const std::vector<std::string>& words, std::size_t at,
+                          std::size_t& length) const;
   /// Says the word what something is made of? Fillers and parts of the room do not.
   bool describes(std::string_view word) const;
 };
