@@ -4,15 +4,17 @@ Speaks the OpenAI protocol on a free port of 127.0.0.1. Whatever it is asked aga
 """
 
 import json
+import re
 import sys
 import threading
 from contextlib import contextmanager
-from http.server import ThreadingHTTPServer
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "designer"))
 
-import scripted_model  # noqa: E402
+from chat_server import chat_server, first_choices, text_of  # noqa: E402
+
+ASKED = re.compile(r"^Now place ([^:\n]+):", re.M)
 
 
 def plan_of(room):
@@ -41,34 +43,39 @@ def item_of(thing):
 
 
 class Script:
-    """What scripted_model's handler asks: the answer to one question."""
+    """The answer to one question."""
 
     def __init__(self, room):
         self.things = {t["id"]: t for t in room["things"]}
-        self.asked = []
 
-    def place_answer(self, identifier):
-        self.asked.append(identifier)
-        thing = self.things[identifier]
-        return {
+    def text(self, question):
+        thing = self.things[ASKED.findall(question)[-1]]
+        return json.dumps({
             "reasoning": "as the script says",
             "constraints": thing["constraints"],
             "location": thing["at"],
             "facing": thing.get("facing"),
-        }
-
-    def text(self, answer, identifier):
-        return json.dumps(answer)
+        })  # fmt: skip
 
 
 @contextmanager
-def serving(room):
-    """The base URL of a server that answers for this room."""
-    server = ThreadingHTTPServer(("127.0.0.1", 0), scripted_model.Handler)
-    server.script = Script(room)
+def serving_answers(text):
+    """The base URL of a server that answers questions for places as a function of their text says."""
+
+    def answer(request):
+        question = "\n".join(text_of(m) for m in request["messages"] if m["role"] == "user")
+        if ASKED.search(question):
+            return text(question)
+        return json.dumps(first_choices(question) or {})
+
+    server, url = chat_server(answer, "script")
     threading.Thread(target=server.serve_forever, daemon=True).start()
     try:
-        yield f"http://127.0.0.1:{server.server_port}/v1"
+        yield url
     finally:
         server.shutdown()
         server.server_close()
+
+
+def serving(room):
+    return serving_answers(Script(room).text)

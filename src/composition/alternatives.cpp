@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "arrange.h"
 
@@ -77,7 +78,39 @@ std::set<int> spare_levels(const Arranged& arranged) {
   return levels;
 }
 
+double back_of(const Member& member, const KindTable& kinds) {
+  return Footprint(member.place.position, member.size.head<2>(), member.place.yaw,
+                   kinds.get(member.category).traits.round)
+      .bounds()
+      .high.y();
+}
+
 }  // namespace
+
+std::optional<Arranged> with_backs_in_line(Arranged arranged, const KindTable& kinds) {
+  constexpr double slack = 0.01;  // metres
+  auto& members = arranged.members;
+  const double back = 0.5 * members.front().size.y();
+  double behind = back;
+  std::vector<double> forward(members.size(), 0.0);
+  for (std::size_t i = 1; i < members.size(); ++i) {
+    Member& member = members[i];
+    if (member.mount == Mount::surface) forward[i] = forward[member.on];
+    if (member.mount != Mount::floor || kinds.get(member.category).traits.flat) continue;
+    const double reach = back_of(member, kinds);
+    if (reach > back + slack && member.place.position.y() < back)
+      forward[i] = reach - back;
+    else
+      behind = std::max(behind, reach);
+  }
+  for (std::size_t i = 1; i < members.size(); ++i)
+    if (members[i].mount == Mount::wall && std::abs(back_of(members[i], kinds) - back) < slack)
+      forward[i] = back - behind;
+  if (std::all_of(forward.begin(), forward.end(), [](double one) { return std::abs(one) < slack; }))
+    return std::nullopt;
+  for (std::size_t i = 1; i < members.size(); ++i) members[i].place.position.y() -= forward[i];
+  return arranged;
+}
 
 Result<std::vector<Arranged>> alternatives(const Composition& composition, const Values& values,
                                            const std::set<std::string>& fixed,
@@ -95,6 +128,7 @@ Result<std::vector<Arranged>> alternatives(const Composition& composition, const
   for (std::size_t i = 1; i < tried.size(); ++i)
     if (auto made = arrange(composition, tried[i], making)) whole.push_back(*std::move(made));
   for (const auto& one : whole) take(one);
+  if (const auto in_line = with_backs_in_line(whole.front(), making.kinds)) take(*in_line);
   const auto levels = spare_levels(whole.front());
   for (int level : levels)
     for (const auto& one : whole) take(without_spare(one, level));

@@ -10,6 +10,7 @@ namespace {
 constexpr double above_target = 0.15;  ///< metres from the top of a thing to what hangs over it
 constexpr double behind_rim =
     0.03;  ///< metres from the edge of a table to what stands before a seat
+constexpr double apart = 0.02, farther = 0.06;  ///< between those at one seat
 constexpr double far_behind = 5.0,
                  reach = 0.5;  ///< metres from a seat to the edge of its table, at most
 constexpr double longest_row = 200;
@@ -33,6 +34,14 @@ Arranged moved_to(const Place& frame, Arranged arranged) {
 
 Place inverse(const Place& place) {
   return {rotated(-place.position, -place.yaw), wrap_angle(-place.yaw)};
+}
+
+// Far deeper than its kind, it is none of those that hang: a boiler on the floor.
+bool stands_by_size(const Vec3& size, const Kind& kind) {
+  constexpr double deepest = 0.6, least = 0.25, most_of_kind = 2.0;
+  const double depth = size.head<2>().minCoeff();
+  return depth > deepest ||
+         (depth > least && depth > most_of_kind * kind.size.head<2>().minCoeff());
 }
 
 /// A thing or a whole group within the one that is made: what parts refer to.
@@ -118,7 +127,8 @@ class Arranging {
     remember_size(part.name, size);
     if (making_.without.count(path_of(part)) > 0 || (part.when && number(part.when, 1.0) == 0.0))
       return {};
-    for (const auto& [place, reference] : repeated(part, places(part, size))) {
+    for (const auto& [place, reference] :
+         repeated(part, places(part, size, unit.members.front().mount))) {
       if (arranged_.members.size() + unit.members.size() > most_members)
         return Error{Error::Kind::limit,
                      "a group holds at most " + std::to_string(most_members) + " things"};
@@ -152,16 +162,39 @@ class Arranging {
     if (member.category.empty()) member.category = part.kind;
     const Kind& kind = making_.kinds.get(member.category);
     member.description = part.description;
-    member.mount = part.mount.value_or(kind.mount);
     for (int axis = 0; axis < 3; ++axis)
       member.size[axis] = std::clamp(
           number(part.size[static_cast<std::size_t>(axis)], kind.size[axis]), 0.001, 50.0);
     if (const auto real = making_.size_of ? making_.size_of(member.part) : std::nullopt)
       member.size = *real;
+    member.mount = mount_of(part, kind, member.size);
     member.varied = part.varied;
+    member.spread = part.on && part.where == Where::at && !part.x && !part.y;
     member.spare = part.spare;
     if (part.height) member.height = number(part.height, 0.0);
     return member;
+  }
+
+  // What is said of where it is comes before what its kind is used to.
+  Mount mount_of(const Part& part, const Kind& kind, const Vec3& size) const {
+    if (making_.leans && making_.leans(path_of(part))) return Mount::floor;
+    if (part.mount) return *part.mount;
+    const bool is_before_it = part.where == Where::around ||
+                              (part.where == Where::beside && part.sides.front() == Side::front);
+    if (kind.mount == Mount::wall)
+      return is_before_it || stands_by_size(size, kind) ? Mount::floor : Mount::wall;
+    const bool is_beside = part.where == Where::around || part.where == Where::beside;
+    if (kind.mount != Mount::surface || !is_beside) return kind.mount;
+    const auto references = instances_.find(part.of);
+    const bool is_carried = references != instances_.end() && !references->second.empty() &&
+                            carrier_of(references->second.front()).has_value();
+    return is_carried ? Mount::surface : Mount::floor;
+  }
+
+  // The member that a thing stands on.
+  std::optional<std::size_t> carrier_of(const Instance& instance) const {
+    const Member& member = arranged_.members[instance.member];
+    return member.mount == Mount::surface ? std::optional(member.on) : std::nullopt;
   }
 
   struct Placed {
@@ -169,13 +202,13 @@ class Arranging {
     const Instance* reference = nullptr;
   };
 
-  std::vector<Placed> places(const Part& part, const Vec3& size) {
+  std::vector<Placed> places(const Part& part, const Vec3& size, Mount mount) {
     if (part.of.empty()) return {{Place{}, nullptr}};
     std::vector<Placed> found;
     const auto references = instances_.find(part.of);
     if (references == instances_.end()) return found;
     for (const auto& reference : references->second) {
-      for (auto& place : places_at(part, size, reference))
+      for (auto& place : places_at(part, size, mount, reference))
         found.push_back({within(reference.place, place), &reference});
       if (part.first_only) break;
     }
@@ -183,10 +216,11 @@ class Arranging {
   }
 
   // In the frame of the reference.
-  std::vector<Place> places_at(const Part& part, const Vec3& size, const Instance& reference) {
+  std::vector<Place> places_at(const Part& part, const Vec3& size, Mount mount,
+                               const Instance& reference) {
     switch (part.where) {
       case Where::beside:
-        return beside(part, size, reference);
+        return beside(part, size, mount, reference);
       case Where::around:
         return around(part, size, reference);
       case Where::before:
@@ -195,8 +229,7 @@ class Arranging {
         break;
     }
     Place place{Vec2(number(part.x, 0.0), number(part.y, 0.0)), own_yaw(part, 0.0)};
-    if (part.mount == Mount::wall && !part.y)
-      place.position.y() = 0.5 * (reference.size.y() - size.y());
+    if (mount == Mount::wall && !part.y) place.position.y() = 0.5 * (reference.size.y() - size.y());
     const bool is_apart = place.position.norm() > 1e-6;  // else an arc says where its copies look
     if (is_apart && part.facing == Facing::to) place.yaw = yaw_facing(-place.position);
     if (is_apart && part.facing == Facing::away) place.yaw = yaw_facing(place.position);
@@ -212,7 +245,8 @@ class Arranging {
     return static_cast<int>(std::clamp(std::round(number(part.count, 1.0)), 0.0, longest_row));
   }
 
-  std::vector<Place> beside(const Part& part, const Vec3& size, const Instance& reference) {
+  std::vector<Place> beside(const Part& part, const Vec3& size, Mount mount,
+                            const Instance& reference) {
     std::vector<Place> found;
     const Vec2 half = 0.5 * reference.size.head<2>();
     for (const Side side : part.sides) {
@@ -225,8 +259,10 @@ class Arranging {
       const double off = 0.5 * normal.cwiseAbs().dot(own) + gap_of(part);
       const double slack = is_across(side) ? half.y() - 0.5 * own.y() : half.x() - 0.5 * own.x();
       double shift = number(part.shift, 0.0);
-      if (part.align != Part::Align::middle)
-        shift += part.align == Part::Align::back ? slack : -slack;
+      // What hangs beside a thing is at the wall behind that.
+      const bool is_at_back =
+          part.align == Part::Align::back || (mount == Mount::wall && !turned && is_across(side));
+      if (is_at_back || part.align == Part::Align::front) shift += is_at_back ? slack : -slack;
       const double length = is_across(side) ? reference.size.y() : reference.size.x();
       for (double along : in_a_row(count_of(part), length, number(part.pitch, 0.0)))
         found.push_back(
@@ -252,15 +288,21 @@ class Arranging {
     const auto seats = instances_.find(part.seat);
     if (seats == instances_.end()) return found;
     const Footprint table(Vec2::Zero(), reference.size.head<2>(), 0.0, reference.round);
+    // To the right of what is at that seat already, and a little farther: a glass by its plate.
+    double& taken = at_seats_[part.of + "/" + part.seat];
+    const bool is_beside = !part.shift && taken > 0.0;
+    const Vec2 off(is_beside ? -taken - 0.5 * size.x() : number(part.shift, 0.0),
+                   is_beside ? farther : 0.0);
+    taken += is_beside ? size.x() + apart : 0.5 * size.x() + apart;
     for (const auto& seat : seats->second) {
       const Place local = within(inverse(reference.place), seat.place);
       const Vec2 ahead = rotated({0, -1}, local.yaw), aside = rotated({1, 0}, local.yaw);
       // From well behind, for who sits with the middle under the table.
       const double edge = ray_hit(table, local.position - far_behind * ahead, ahead) - far_behind;
       if (edge <= -far_behind || edge > 0.5 * seat.size.y() + reach) continue;
-      const double depth = edge + behind_rim + 0.5 * size.y() + number(part.gap, 0.0);
-      found.push_back({local.position + depth * ahead + number(part.shift, 0.0) * aside,
-                       wrap_angle(local.yaw + pi)});
+      const double depth = edge + behind_rim + 0.5 * size.y() + number(part.gap, off.y());
+      found.push_back(
+          {local.position + depth * ahead + off.x() * aside, wrap_angle(local.yaw + pi)});
     }
     return found;
   }
@@ -335,10 +377,16 @@ class Arranging {
   }
 
   void hang(const Part& part, const Instance* reference, Member& member) {
-    if (member.mount == Mount::surface && reference) member.on = reference->member;
-    if (!reference || part.height) return;
-    if (member.mount == Mount::wall)
-      member.height = reference->size.z() + above_target + 0.5 * member.size.z();
+    if (!reference) return;
+    if (member.mount == Mount::surface)
+      member.on = part.on || part.where == Where::at
+                      ? reference->member
+                      : carrier_of(*reference).value_or(reference->member);
+    if (member.mount != Mount::wall || part.height) return;
+    if (part.where != Where::at)
+      member.height = arranged_.members[reference->member].height;
+    else
+      member.height = reference->size.z() + number(part.gap, above_target) + 0.5 * member.size.z();
   }
 
   // Later parts may use its measures: chair_w, chair_d, chair_h.
@@ -358,6 +406,7 @@ class Arranging {
   Arranged arranged_;
   std::map<std::string, std::vector<Instance>> instances_;
   std::map<std::string, std::size_t> numbers_;
+  std::map<std::string, double> at_seats_;  ///< metres, from the middle to the right
   int units_ = 0;
   std::optional<std::string> problem_;
 };

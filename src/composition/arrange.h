@@ -22,6 +22,7 @@ struct Member {
   std::size_t on = 0;            ///< of what stands on another: which member
   std::optional<double> height;  ///< of what hangs: metres from the floor to its middle
   bool varied = false;
+  bool spread = false;  ///< nobody says where on its carrier it stands
   int spare = 0;
   int unit = -1;  ///< which of the groups within the group, or of the copies of its anchor, it belongs to; -1: none
 };
@@ -41,6 +42,7 @@ struct Making {
   SizeOf size_of = {};
   /// The kind of thing that a plan has in the place of a part's; empty: the part's own.
   std::function<std::string(const std::string& part)> kind_of = {};
+  std::function<bool(const std::string& part)> leans = {};  ///< whether the plan leans it at a wall
   std::set<std::string> without = {};  ///< parts that are left out
   double tuck =
       1.0;  ///< how much of what is drawn under another is so: meshes may not allow all of it
@@ -60,6 +62,11 @@ Arranged mirrored(Arranged arranged);
 
 /// The box of what stands on the floor, in the anchor's frame; flat things count where the anchor is one.
 Bounds2 box_of(const Arranged& arranged, const KindTable& kinds);
+
+/// What stands beside the anchor and is deeper is drawn forward, so that all backs meet a wall;
+/// what hangs over the anchor goes back to the wall behind those who sit there. Nothing: all is so
+/// already.
+std::optional<Arranged> with_backs_in_line(Arranged arranged, const KindTable& kinds);
 
 inline constexpr std::size_t most_alternatives = 48;
 

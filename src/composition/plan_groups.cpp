@@ -39,6 +39,10 @@ Making making_for(const Plan& plan, const PlanGroup& group, const KindTable& kin
     const PlanItem* item = item_of(part);
     return item ? item->category : std::string();
   };
+  making.leans = [item_of](const std::string& part) {
+    const PlanItem* item = item_of(part);
+    return item && !item->tilt.isZero();
+  };
   making.size_of = [item_of,
                     size_of = real.size_of](const std::string& part) -> std::optional<Vec3> {
     if (const auto known = size_of ? size_of(part) : std::nullopt) return known;

@@ -320,7 +320,8 @@ class GroupReader {
     if (*said.where->side) part["side"] = said.where->side;
     const bool in_a_row = key == "beside" || key == "around";
     if (in_a_row) part["count"] = std::max(1, count / said.where->sides);
-    if (const auto gap = number_of(thing, {"gap m", "gap"}); gap && in_a_row) part["gap"] = *gap;
+    if (const auto gap = number_of(thing, {"gap m", "gap"}); gap && (in_a_row || key == "above"))
+      part["gap"] = *gap;
     else if (key == "around") part["gap"] = -0.1;
     if (const Json* at = member(thing, {"at m", "at"}); at && !in_a_row && at->is_array() && at->size() == 2) part["at"] = *at;
     // Several share the thing below evenly.

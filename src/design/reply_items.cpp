@@ -53,12 +53,6 @@ std::string told_with_name(const std::string& name, const std::string& descripti
   return has_name ? description : name + ", " + description;
 }
 
-// A boiler as deep as a cupboard hangs on no wall.
-bool stands_by_size(const PlanItem& item) {
-  constexpr double deepest = 0.6;
-  return item.size && item.size->head<2>().minCoeff() > deepest;
-}
-
 double unlikeness(double sum_of_logs, const Vec3& usual) {
   return std::abs(sum_of_logs - std::log(usual.x() * usual.y()));
 }
@@ -140,7 +134,6 @@ class ItemReader {
                                text_in(variance).starts_with("diff"));
     std::string on = group_.empty() ? read_mount(value, item) : usual_mount(item);
     read_height(value, item);
-    if (!group_.empty() && item.mount == Mount::wall && stands_by_size(item)) item.mount = Mount::floor;
     if (!group_.empty()) {
       item.group = group_, item.part = reply_part_name(value);
       if (!member(value, size_keys)) item.size.reset();
@@ -222,7 +215,7 @@ class ItemReader {
     };
     const double bottom = amount({"bottom m", "bottom"});
     const bool hangs = item.mount == Mount::wall || item.mount == Mount::ceiling;
-    if (hangs && bottom > 0.0) item.bottom = bottom;
+    if ((hangs || !group_.empty()) && bottom > 0.0) item.bottom = bottom;
     const double lean = radians(std::min(amount({"lean deg", "lean"}), most_lean));
     if (lean <= 0.0) return;
     item.mount = Mount::floor;

@@ -6,6 +6,7 @@
 #include "consult.h"
 #include "objections.h"
 #include "prepare.h"
+#include "roomgen/base/text.h"
 #include "solve/improve.h"
 #include "solve/place.h"
 
@@ -69,10 +70,18 @@ Result<Attempt> second_answer(Work& work, const AssetInfo& asset, Trial& trial,
   if (!advice) return advice.error();
   if (advice->consultation.fell_back)
     return Error{Error::Kind::invalid_input, "the model had no second answer"};
-  move_standing(work, advice->moves);
+  const auto not_moved = move_standing(work, advice->moves);
   const auto taken = amended(work, trial.planned, asset, *advice, *task);
   if (!taken) return taken.error();
-  return try_to_place(work, trial.planned, *taken, *advice, trial.earlier.refusals.size(), *task);
+  auto attempt =
+      try_to_place(work, trial.planned, *taken, *advice, trial.earlier.refusals.size(), *task);
+  if (attempt) attempt->objections = not_moved;
+  return attempt;
+}
+
+void add_objections(const Work& work, const Object& standing, Attempt& attempt) {
+  for (auto& one : objections_to(work.place, attempt.answer, standing))
+    attempt.objections.push_back(std::move(one));
 }
 
 // Nothing of an answer is dropped silently: a model is told once what could not be followed, and the
@@ -80,7 +89,7 @@ Result<Attempt> second_answer(Work& work, const AssetInfo& asset, Trial& trial,
 void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
   Attempt& first = trial.step.attempts.back();
   const Object standing = *work.layout().find(trial.planned.id);
-  for (auto& one : objections_to(work.place, first.answer, standing)) first.objections.push_back(std::move(one));
+  add_objections(work, standing, first);
   const Consultation& asked = first.answer.consultation;
   const bool by_model = asked.calls > 0 || !asked.prompt_sha256.empty();
   if (first.objections.empty() || first.made_room || !by_model || asked.fell_back) return;
@@ -90,7 +99,7 @@ void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
   work.layout().remove(standing.id);
   auto second = second_answer(work, asset, trial, standing);
   const Object* moved = work.layout().find(standing.id);
-  if (second && moved) second->objections = objections_to(work.place, second->answer, *moved);
+  if (second && moved) add_objections(work, *moved, *second);
   const bool better = moved && second->objections.size() <= first.objections.size();
   if (!better) {
     if (second && moved) second->refused = "the answer before is followed more closely";
@@ -114,8 +123,11 @@ bool try_asset(Work& work, const AssetInfo& offered, Trial& trial) {
   if (!task) return trial.step.reason = task.error().message, true;
   const auto advice = consult(work, trial.planned, *task, trial.earlier);
   if (!advice) return trial.step.reason = advice.error().message, true;
-  if (!advice->leave_out.empty()) return leave_out(work, advice->leave_out, *task, trial), true;
   const auto not_moved = move_standing(work, advice->moves);
+  if (!advice->leave_out.empty()) {
+    for (const auto& one : not_moved) work.place.plan.notes.push_back(one);
+    return leave_out(work, advice->leave_out, *task, trial), true;
+  }
   const auto asset = amended(work, trial.planned, offered, *advice, *task);
   if (!asset) return trial.step.reason = asset.error().message, true;
   auto attempt =
@@ -127,7 +139,8 @@ bool try_asset(Work& work, const AssetInfo& offered, Trial& trial) {
   const std::string& refused = trial.step.attempts.back().refused;
   trial.earlier.answers.push_back(*advice);
   if (refused.empty()) return reconsider(work, *asset, trial), true;
-  trial.earlier.refusals.push_back(refused);
+  trial.earlier.refusals.push_back(refused +
+                                   (not_moved.empty() ? "" : "; " + join(not_moved, "; ")));
   return false;
 }
 

@@ -34,11 +34,13 @@ struct StandingGroup {
   struct Post {
     composition::Place place;  ///< in its frame
     std::string carrier;       ///< of what stands on another
+    bool spread = false;       ///< Member::spread
     std::size_t refused = 0;   ///< how often there was no room for it
   };
   std::map<std::string, Post> posts;  ///< of its members, by id
   PlacementTask anchor;               ///< with its companions
   std::shared_ptr<const Cast> cast;
+  bool even_useless = false;  ///< as PlaceOptions has it
 };
 
 /// A rug where a designer put it, and where it lies among what stands now.

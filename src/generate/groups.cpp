@@ -65,6 +65,7 @@ PlaceAdvice place_in_frame(const Work& work, const StandingGroup& group,
   if (!post.carrier.empty()) given.relations.push_back({RelationKind::on, post.carrier});
   given.location = at.position;
   given.yaw = at.yaw;
+  given.spread = post.spread;
   return given;
 }
 
@@ -74,7 +75,7 @@ bool stand_in_frame(Work& work, const StandingGroup& group, const PlacementTask&
     if (object.id != task.object.id) continue;
     object.relations = task.object.relations;
     object.locked = true;
-    if (!fits_as_it_is(work.layout(), object)) return false;
+    if (!fits_as_it_is(work.layout(), object, group.even_useless)) return false;
     work.layout().add(std::move(object));
     return true;
   }
@@ -187,6 +188,13 @@ void let_wait(Work& work, const std::function<bool(const PlannedObject&)>& is_dr
 
 }  // namespace
 
+// By the prompt, or by who made the group.
+static bool is_wanted(const Work& work, const PlannedObject& planned) {
+  const PlanItem& item = work.item(planned);
+  const PlanGroup* group = composition::find_group(work.place.plan, item.group);
+  return item.asked || (group && group->asked && item.spare == 0);
+}
+
 bool begins_group(const Work& work, const PlannedObject& planned) {
   if (work.state.units.count(planned.id)) return true;
   const auto* role = work.role_of(planned.id);
@@ -210,13 +218,13 @@ Result<Placement> place_with_group(Work& work, const PlannedObject& planned, Pla
   };
   auto placed = place_group(work.layout(), whole, {*ways, thing_of}, options, work.state.random);
   if (!placed) return placed.error();
-  StandingGroup standing{id, is_whole, {}, std::move(placed->task), {}};
+  StandingGroup standing{id, is_whole, {}, std::move(placed->task), {}, options.even_useless};
   const auto& members = (*ways)[placed->way].members;
   for (const auto& member : members) {
     const bool is_carried = member.mount == Mount::surface;
     const std::string carrier = is_carried ? cast.id_of(members[member.on]) : std::string();
     if (cast.object_of(member) && is_carried == !carrier.empty())
-      standing.posts[cast.id_of(member)] = {member.place, carrier};
+      standing.posts[cast.id_of(member)] = {member.place, carrier, member.spread};
   }
   standing.anchor.object = placed->placement.object;
   standing.cast = std::make_shared<const Cast>(std::move(cast));
@@ -262,7 +270,7 @@ void fall_apart(Work& work, const PlannedObject& planned, const PlacementTask& t
 
 bool take_place_in_group(Work& work, const PlannedObject& planned, Step& step) {
   StandingGroup* group = standing_group(work, planned.id);
-  const bool must_stand = work.item(planned).asked;
+  const bool must_stand = is_wanted(work, planned);
   if (!group) {
     const bool has_no_room = !must_stand && whole_group_stands(work, planned);
     if (has_no_room) step.reason = "its group had no room for it";

@@ -12,9 +12,14 @@ namespace {
 
 constexpr double far_away = 1.0;
 
-// As near to a wall as makes no difference holds, though no report counts it.
-bool is_kept(RelationKind kind, const Judgement& judgement) {
+// As near to a wall as makes no difference holds, though no report counts it; a beam from wall to
+// wall hangs in the middle.
+bool is_kept(RelationKind kind, const Judgement& judgement, const Object& standing,
+             const Room& room) {
   constexpr double nearly_at_wall = 0.93;  // 0.07 m
+  constexpr double off_walls = 0.3;
+  if (kind == RelationKind::middle && standing.mount == Mount::ceiling)
+    return distance_to_boundary(room.polygon, Vec2(standing.position.head<2>())) >= off_walls;
   return judgement.held || (kind == RelationKind::edge && judgement.degree > nearly_at_wall);
 }
 
@@ -26,7 +31,8 @@ std::vector<std::string> lost_constraints(const Workplace& place, const PlaceAdv
   const Subject subject{footprint(standing), bottom(standing), top(standing)};
   std::vector<std::string> lost;
   for (std::size_t i = 0; i < resolved.size(); ++i)
-    if (!is_kept(said.relations[i].kind, judge(resolved[i], subject, place.room)))
+    if (!is_kept(said.relations[i].kind, judge(resolved[i], subject, place.room), standing,
+                 place.room))
       lost.push_back("\"" + to_text(said.relations[i]) + "\" does not hold");
   return lost;
 }

@@ -57,9 +57,10 @@ std::string other_kind(const PlanItem& item, const AssetInfo& asset) {
   const std::string own = own_name(item.category, item.description).kind;
   const std::string asked = vocabulary.understand(item.category).kind;
   // What has the parts that were said is what was asked for, whatever it is called.
-  const bool is_so = asset.approximate || asset.stand_in ||
-                     vocabulary.fit(asset.category, own) + vocabulary.fit(asset.category, asked) > 0.0 ||
-                     !AttributeWords::built_in().need_of(asset.category).empty();
+  const bool is_so =
+      asset.category == item.category || asset.approximate || asset.stand_in ||
+      vocabulary.fit(asset.category, own) + vocabulary.fit(asset.category, asked) > 0.0 ||
+      !AttributeWords::built_in().need_of(asset.category).empty();
   return is_so ? "" : "a " + asset.category + ", for there is no such " + item.category;
 }
 
@@ -100,7 +101,9 @@ Said said_of(const BuildState& state, const Step& step) {
     if (const auto post = group.posts.find(step.planned.id); post != group.posts.end()) {
       const Object& anchor = group.anchor.object;  // where it was put
       const composition::Place frame{anchor.position.head<2>(), anchor.yaw};
-      return {composition::within(frame, post->second.place).position, post->second.carrier};
+      Said said{composition::within(frame, post->second.place).position, post->second.carrier};
+      if (post->second.spread) said.location.reset();
+      return said;
     }
   if (step.attempts.empty() || step.attempts.front().answer.consultation.calls > 0) return {};
   Said said{step.attempts.front().answer.location, {}};

@@ -1,8 +1,10 @@
 #include "prepare.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "asset_task.h"
+#include "library/asset_object.h"
 #include "library/vocabulary.h"
 #include "loads.h"
 #include "retrieve.h"
@@ -21,15 +23,39 @@ bool is_able(Work& work, const PlannedObject& planned, const AssetInfo& asset,
   return task && can_carry(task->object, loads, work.layout().support_poses());
 }
 
+// Metres from the floor to what it hangs from: the ceiling, or the underside of a thing.
+double hook_of(const Work& work, const PlanItem& item) {
+  for (const auto& relation : item.relations)
+    if (relation.kind == RelationKind::hang_from)
+      if (const Object* beam = work.layout().find(relation.target)) return bottom(*beam);
+  return work.place.room.height;
+}
+
+// Of what hangs lower than it is high: its own height is `height`. NaN: it hangs right under the
+// hook.
+double hung_bottom(const PlanItem& item, double height, double hook) {
+  const double said = item.bottom ? *item.bottom : item.height ? *item.height - 0.5 * height : hook;
+  constexpr double shortest = 0.02;
+  return item.mount == Mount::ceiling && said + height < hook - shortest ? std::max(0.0, said)
+                                                                         : std::nan("");
+}
+
 }  // namespace
 
 Result<PlacementTask> prepare(Work& work, const PlannedObject& planned, AssetInfo asset) {
   const PlanItem& item = work.item(planned);
   asset.ref.tilt = item.tilt;
   const Kind& category = work.category(planned);
+  const Vec3 size = fitted_size(asset, category.size, item.size.value_or(category.size));
+  const double hook = hook_of(work, item), hung = hung_bottom(item, size.z(), hook);
+  if (!std::isnan(hung)) asset.ref.wires = rounded(1.0 - size.z() / (hook - hung));
   if (auto status = fetch_model(work.place, asset); !status) return status.error();
   const auto model = work.place.models.find(asset_key(asset.ref));
-  return task_of_asset(planned.id, item, category, asset, model.get(), work.place.room);
+  auto task = task_of_asset(planned.id, item, category, asset, model.get(), work.place.room);
+  if (!std::isnan(hung)) task.object.size.z() = hook - hung;
+  if (item.mount == Mount::ceiling)
+    task.object.position.z() = std::max(0.0, hook - task.object.size.z());
+  return task;
 }
 
 Result<AssetInfo> asset_for(Work& work, const PlannedObject& planned) {

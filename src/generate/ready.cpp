@@ -11,16 +11,6 @@ namespace roomgen {
 
 namespace {
 
-constexpr double shortest = 0.05;  // metres
-
-// What hangs from the ceiling is as long as it is to hang down: a pendant lamp has the cord for it.
-void hang_down(PlanItem& item, const KindTable& kinds, const Room& room) {
-  if (item.mount != Mount::ceiling || !(item.height || item.bottom)) return;
-  const double length = item.bottom ? room.height - *item.bottom : 2.0 * (room.height - *item.height);
-  if (!item.size) item.size = kinds.get(item.category).size;
-  item.size->z() = std::clamp(length, shortest, room.height);
-}
-
 std::vector<std::string> carriers_of(const PlanItem& item, const Plan& plan, const KindTable& kinds) {
   std::vector<std::string> carriers;
   for (const auto& planned : planned_objects(plan)) {
@@ -52,6 +42,17 @@ void count_for_each(Plan& plan, const KindTable& kinds) {
 }
 
 }  // namespace
+
+void hang_down(PlanItem& item, const KindTable& kinds, const Room& room) {
+  constexpr double shortest = 0.05;  // metres
+  const Kind& kind = kinds.get(item.category);
+  if (item.mount != Mount::ceiling || kind.mount != Mount::ceiling || !(item.height || item.bottom))
+    return;
+  const double length =
+      item.bottom ? room.height - *item.bottom : 2.0 * (room.height - *item.height);
+  if (!item.size) item.size = kind.size;
+  item.size->z() = std::clamp(length, shortest, room.height);
+}
 
 Plan ready(Plan plan, const KindTable& kinds) {
   settle(plan);

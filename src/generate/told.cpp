@@ -82,7 +82,8 @@ std::string other_size(const Workplace& place, const BuildState& state,
   const auto& wanted = *item.size;
   if (is_said(state, planned.id)) {  // what it said counts even where it is the usual size
     const auto rug = state.rugs.find(planned.id);
-    const Vec3& size = rug == state.rugs.end() ? placed.size : rug->second.said.size;  // not as cut
+    Vec3 size = rug == state.rugs.end() ? placed.size : rug->second.said.size;  // not as cut
+    size.z() *= 1.0 - placed.asset.wires;
     const bool is_other = is_off(size, wanted) &&
                           (placed.traits.front || is_off(size, {wanted.y(), wanted.x(), wanted.z()}));
     return is_other ? design::size_text(size) + " m, not " + design::size_text(wanted) : "";

@@ -48,6 +48,7 @@ Json advice_json(const PlaceAdvice& advice) {
   json["location"] =
       advice.location ? Json{rounded(advice.location->x()), rounded(advice.location->y())} : Json();
   json["usual"] = advice.usual;
+  if (advice.spread) json["spread"] = true;
   json["facing_deg"] = advice.yaw ? Json(rounded(degrees(*advice.yaw), 2)) : Json();
   return json;
 }

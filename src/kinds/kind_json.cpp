@@ -65,9 +65,11 @@ void read_use(const JsonReader& json, Kind& kind) {
   if (const auto zones = json["zones"]; zones.exists()) {
     kind.zones.clear();
     for (const auto& element : zones.elements(8)) {
-      element.allow_only({"side", "depth", "partners"});
+      element.allow_only({"side", "depth", "partners", "inset", "lengthwise"});
       kind.zones.push_back({read_side(element["side"]), element["depth"].number(0.01, 5.0),
-                            read_texts(element["partners"])});
+                            read_texts(element["partners"]),
+                            element["inset"].number_or(0.0, 0.0, 5.0),
+                            element["lengthwise"].boolean_or(false)});
     }
   }
   if (const auto gaps = json["gaps"]; gaps.exists()) {

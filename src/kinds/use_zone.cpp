@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "roomgen/kinds/kind_table.h"
 
 namespace roomgen {
@@ -14,21 +16,17 @@ double turn_of(Side side) {
 
 Footprint zone_footprint(const Footprint& object, const UseZone& zone) {
   const Vec2 half = object.half();
-  const double reach = 0.5 * zone.depth;
-  switch (zone.side) {
-    case Side::front:
-      return Footprint(object.to_world({0, -half.y() - reach}), {2 * half.x(), zone.depth},
-                       object.yaw());
-    case Side::back:
-      return Footprint(object.to_world({0, half.y() + reach}), {2 * half.x(), zone.depth},
-                       object.yaw());
-    case Side::left:
-      return Footprint(object.to_world({half.x() + reach, 0}), {zone.depth, 2 * half.y()},
-                       object.yaw());
-    case Side::right:
-      break;
+  const bool is_turned = zone.lengthwise && half.x() > half.y();
+  const bool is_left = zone.side == Side::left, is_right = zone.side == Side::right;
+  if (!is_turned && (is_left || is_right)) {
+    const double inset = std::clamp(zone.inset, 0.0, half.y());
+    const double x = half.x() + 0.5 * zone.depth;
+    return Footprint(object.to_world({is_left ? x : -x, -0.5 * inset}),
+                     {zone.depth, 2 * half.y() - inset}, object.yaw());
   }
-  return Footprint(object.to_world({-half.x() - reach, 0}), {zone.depth, 2 * half.y()},
+  const bool is_before = zone.side == Side::front || is_left;
+  const double y = half.y() + 0.5 * zone.depth;
+  return Footprint(object.to_world({0, is_before ? -y : y}), {2 * half.x(), zone.depth},
                    object.yaw());
 }
 

@@ -1,6 +1,7 @@
 #include "roomgen/library/library.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <set>
 #include <string>
 #include <utility>
@@ -26,6 +27,35 @@ void lean(Model& model, const Vec2& tilt) {
   const Vec3 foot(box.center().x(), box.center().y(), box.low.z());
   for (auto& part : model.parts)
     for (auto& position : part.mesh.positions) position -= foot.cast<float>();
+}
+
+// The highest point of what is near a place, seen from above; without any the middle.
+double top_at(const Model& model, const Bounds3& box, const Vec2& at) {
+  const double near = 0.06 * box.size().head<2>().norm();
+  double top = -1.0;
+  for (const auto& part : model.parts)
+    for (const auto& position : part.mesh.positions)
+      if ((position.head<2>().cast<double>() - at).norm() < near)
+        top = std::max(top, static_cast<double>(position.z()));
+  return top < 0.0 ? box.center().z() : top;
+}
+
+// Straight up from the thing: one in its middle, two of what is long.
+void hang_by_wires(Model& model, double share) {
+  constexpr double long_from = 1.8, apart = 0.35, thin = 0.003;
+  const Bounds3 box = bounds(model);
+  const Vec3 size = box.size();
+  const double end = box.low.z() + size.z() / (1.0 - share), half = thin * size.maxCoeff();
+  const int axis = size.x() >= size.y() ? 0 : 1;
+  const Vec2 aside = apart * size[axis] * Vec2::Unit(axis);
+  std::vector<Vec2> feet = {box.center().head<2>()};
+  if (size[axis] > long_from * size[1 - axis]) feet = {feet[0] - aside, feet[0] + aside};
+  ModelPart wires{{}, static_cast<int>(model.materials.size())};
+  for (const Vec2& at : feet)
+    append(wires.mesh, make_box({at.x() - half, at.y() - half, top_at(model, box, at)},
+                                {at.x() + half, at.y() + half, end}));
+  model.materials.push_back({"wire", {0.15f, 0.15f, 0.15f, 1.0f}, nullptr});
+  model.parts.push_back(std::move(wires));
 }
 
 /// Fills a table with the models of a scene, until it is full.
@@ -75,12 +105,13 @@ class Loading {
 }  // namespace
 
 Result<std::shared_ptr<const Model>> load_model(const AssetLibrary& library, const AssetRef& ref) {
-  AssetRef upright = ref;
-  upright.tilt.setZero();
-  auto loaded = library.load(upright);
-  if (!loaded || ref.tilt.isZero()) return loaded;
+  AssetRef alone = ref;
+  alone.tilt.setZero(), alone.wires = 0.0;
+  auto loaded = library.load(alone);
+  if (!loaded || (ref.tilt.isZero() && ref.wires <= 0.0)) return loaded;
   Model model = **loaded;
-  lean(model, ref.tilt);
+  if (!ref.tilt.isZero()) lean(model, ref.tilt);
+  if (ref.wires > 0.0) hang_by_wires(model, ref.wires);
   return std::make_shared<const Model>(std::move(model));
 }
 

@@ -7,6 +7,7 @@
 #include "document_parts.h"
 #include "file_limits.h"
 #include "roomgen/base/json.h"
+#include "roomgen/base/text.h"
 
 namespace roomgen {
 
@@ -48,6 +49,7 @@ std::string asset_key(const AssetRef& asset) {
           std::to_string(asset.procedural->seed);
   for (const auto& [stuff, looks] : asset.finish) key += "#" + stuff + "=" + looks;
   if (!key.empty() && !asset.tilt.isZero()) key += "#tilt=" + json_line(tilt_json(asset.tilt));
+  if (!key.empty() && asset.wires > 0.0) key += "#wires=" + format_number(asset.wires, 4);
   return key;
 }
 
@@ -82,19 +84,22 @@ Json to_json(const AssetRef& asset) {
   }
   for (const auto& [stuff, looks] : asset.finish) json["finish"][stuff] = looks;
   if (!asset.tilt.isZero()) json["tilt"] = tilt_json(asset.tilt);
+  if (asset.wires > 0.0) json["wires"] = rounded(asset.wires);
   return json;
 }
 
 AssetRef read_asset(const JsonReader& json) {
   AssetRef asset;
   if (!json.exists()) return asset;
-  json.allow_only({"library", "id", "sha256", "license", "creator", "procedural", "finish", "tilt"});
+  json.allow_only(
+      {"library", "id", "sha256", "license", "creator", "procedural", "finish", "tilt", "wires"});
   asset.library = json["library"].text_or("");
   asset.id = json["id"].text_or("");
   asset.sha256 = json["sha256"].text_or("");
   asset.license = json["license"].text_or("");
   asset.creator = json["creator"].text_or("");
   asset.tilt = read_tilt(json["tilt"]);
+  asset.wires = json["wires"].number_or(0.0, 0.0, 0.99);
   if (const auto finish = json["finish"]; finish.exists())
     for (const auto& [stuff, looks] : finish.members()) asset.finish[stuff] = looks.text(longest_finish);
   if (const auto procedural = json["procedural"]; procedural.exists()) {

@@ -272,7 +272,8 @@ Judgement judge_under(const RelationCase& one) {
 }
 
 Judgement judge_hanging(const RelationCase& one) {
-  const bool hangs = std::abs(one.subject.top - one.room.height) < at_ceiling;
+  const bool hangs = std::abs(one.subject.top - one.room.height) < at_ceiling ||
+                     std::abs(one.subject.top - one.relation.target_bottom) < at_ceiling;
   return {hangs || judge_edge(one).held, 1.0};
 }
 

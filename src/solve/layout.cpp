@@ -179,6 +179,10 @@ bool Layout::may_sit_over(const Object& object, const Kind& other) const {
   return support && may_tuck(other, categories_.get(support->category));
 }
 
+static bool hangs(const Object& object) {
+  return object.mount == Mount::ceiling || object.mount == Mount::wall;
+}
+
 bool Layout::fits_room(const Candidate& candidate, const Footprint& footprint,
                        double bottom) const {
   return limits_.admit(candidate.object, *candidate.category, footprint, bottom);
@@ -189,6 +193,9 @@ bool Layout::collides(const Candidate& candidate, const Footprint& footprint, do
   const Object& object = candidate.object;
   if (!boxes_clash(object, footprint, bottom, *other.object, other.footprint)) return false;
   if (!both_solid(object, *other.object)) return true;
+  // An arch over a table, a pipe behind a pillar: of what hangs the meshes decide.
+  const bool by_meshes = candidate.by_meshes || hangs(object) || hangs(*other.object);
+  if (by_meshes && !models_.empty()) return false;
   // What stands on a thing may sink below the top of its box: the meshes decide.
   return !rests_on(object, *other.object) && !rests_on(*other.object, object) &&
          !may_tuck(*candidate.category, *other.category) &&

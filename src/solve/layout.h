@@ -85,6 +85,7 @@ class Layout {
     struct Companion;
     std::vector<Companion> companions = {};
     bool even_useless = false;  ///< as PlaceOptions has it
+    bool by_meshes = false;     ///< boxes may overlap where the meshes do not
   };
   Candidate candidate(const Object& object) const;
   Candidate candidate(const PlacementTask& task) const;

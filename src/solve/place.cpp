@@ -207,14 +207,44 @@ class Placing {
   // A suggestion of somebody's, which is not weighed as the paper has it.
   bool is_word() const { return context_.suggestion.binds && !options_.fusion.ordinal_ranks; }
 
+  void let_meshes_decide(bool do_so) {
+    candidate_.by_meshes = do_so;
+    for (auto& companion : candidate_.companions) companion.self.by_meshes = do_so;
+  }
+
+  // Where the word says, at the wall that it means.
+  std::vector<Pose> just_as_said() const {
+    constexpr double nearly = 0.25;
+    const Suggestion& said = context_.suggestion;
+    std::vector<Pose> poses;
+    if (task_.object.mount != Mount::wall) {
+      std::vector<double> yaws = useful_yaws(context_);
+      yaws =
+          said.facing ? std::vector{*said.facing} : suggested_yaws(context_, *said.location, yaws);
+      for (const double yaw : yaws)
+        poses.push_back({*said.location, mounting_height(context_), yaw});
+    } else if (said.facing) {
+      propose_at_walls(context_, poses);
+      const auto off = [&](const Pose& one) {
+        return (one.position - *said.location).norm() +
+               std::abs(wrap_angle(one.yaw - *said.facing));
+      };
+      std::sort(poses.begin(), poses.end(), [&](auto& a, auto& b) { return off(a) < off(b); });
+      poses.resize(!poses.empty() && off(poses.front()) < nearly ? 1 : 0);
+    }
+    return poses;
+  }
+
   // Nothing is nearer to a word than what it says.
   bool stands_as_said() {
-    const Suggestion& said = context_.suggestion;
-    if (!is_word() || !said.location || !said.facing || task_.object.mount != Mount::floor ||
-        options_.grid == GridUse::only)
+    if (!is_word() || !location() || options_.grid == GridUse::only ||
+        task_.object.mount == Mount::surface)
       return false;
-    add({{*said.location, mounting_height(context_), *said.facing}});
-    if (!scored_.empty() && scored_.front().terms.lost == 0) decide();
+    let_meshes_decide(true);
+    add(just_as_said());
+    let_meshes_decide(false);
+    std::erase_if(scored_, [](const Scored& one) { return one.terms.lost > 0; });
+    if (!scored_.empty()) decide();
     return best_.has_value();
   }
 

@@ -14,14 +14,29 @@ namespace {
 // A picture or mirror hangs this far above what it is above.
 constexpr double gap_above = 0.15;
 
+// What hangs lower than the ceiling has something over it.
+void keep_under_what_it_hangs_from(const ProposalContext& context, std::vector<Pose>& poses) {
+  constexpr double off = 0.01, beside = 0.1;  // metres
+  const double hook = top(context.task.object);
+  if (hook > context.layout.room().height - off) return;
+  std::erase_if(poses, [&](const Pose& pose) {
+    return std::none_of(
+        context.layout.things().begin(), context.layout.things().end(), [&](const FloorThing& one) {
+          const Vec2 around = 2.0 * (one.footprint.half().array() + beside);
+          return std::abs(roomgen::bottom(*one.object) - hook) < off &&
+                 contains(Footprint(one.footprint.center(), around, one.footprint.yaw()),
+                          pose.position);
+        });
+  });
+}
+
 void propose_above_targets(const ProposalContext& context, std::vector<Pose>& poses) {
   const Polygon& polygon = context.layout.room().polygon;
-  const double bottom = context.layout.room().height - context.task.object.size.z();
+  const double bottom = context.task.object.position.z();
   const Bounds2 box = bounds(polygon);
   const double yaw = context.layout.wall_yaws().front();
   poses.push_back({0.5 * (box.low + box.high), bottom, yaw});
-  if (context.suggestion.binds && context.suggestion.location)
-    poses.push_back({*context.suggestion.location, bottom, context.suggestion.facing.value_or(yaw)});
+  if (context.suggestion.binds) propose_suggested(context, poses);
   for (const auto& relation : context.relations)
     for (const auto& target : relation.targets)
       if (takes_target(relation.kind)) poses.push_back({target.center(), bottom, target.yaw()});
@@ -29,6 +44,7 @@ void propose_above_targets(const ProposalContext& context, std::vector<Pose>& po
   for (double x = box.low.x() + pitch; x < box.high.x(); x += pitch)
     for (double y = box.low.y() + pitch; y < box.high.y(); y += pitch)
       poses.push_back({{x, y}, bottom, yaw});
+  keep_under_what_it_hangs_from(context, poses);
 }
 
 // A rug where its groups want it, and a little to and fro.

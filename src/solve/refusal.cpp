@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "propose.h"
 #include "roomgen/base/text.h"
 #include "trials.h"
 
@@ -151,6 +152,11 @@ Error refusal(Layout& layout, const PlacementTask& task, const Layout::Candidate
     if (!blockers.empty()) why += "; mostly in the way: " + blockers;
     return {Error::Kind::not_found, why};
   }
+  constexpr double hardly = 0.02;  // metres
+  const double behind = box_with_companions(task).high.y() - 0.5 * task.object.size.y();
+  if (behind > hardly)
+    why += "; its group reaches " + format_number(behind, 2) +
+           " m behind it: put it so far off a wall";
   const std::string blockers = blocked_by(layout, task, *task.location);
   if (!blockers.empty()) why += "; in the way at the suggested place: " + blockers;
   return {Error::Kind::not_found, why + misfit_at(layout, task, *task.location)};

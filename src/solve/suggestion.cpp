@@ -8,7 +8,7 @@ namespace roomgen {
 namespace {
 
 // So much nearer or farther a designer means "at the wall"; sizes are not quite as planned.
-constexpr double nearly_flush = 0.06, nearly_inside = 0.09;
+constexpr double nearly_flush = 0.06, nearly_inside = 0.09, still_edge = 0.0505;
 constexpr double nearly_square = 5.0 * pi / 180.0;
 constexpr double near_enough = 0.10;
 
@@ -50,10 +50,18 @@ void square_up(const Room& room, const Object& object, Suggestion& suggestion) {
   }
 }
 
+// Clear of a wall by up to so much, what is said squarely to it is meant so.
+double kept_gap(const Object& object, const std::optional<double>& said, double squared) {
+  if (!said || std::abs(wrap_angle(*said - squared)) > 1e-3) return 0.0;
+  return means_wall(object) ? still_edge : nearly_flush;
+}
+
 void snap_to_walls(const Room& room, const Object& object, Suggestion& suggestion) {
   if (!suggestion.location || !stands_at_walls(object) || keeps_off_walls(object)) return;
+  const auto said = suggestion.facing;
   square_up(room, object, suggestion);
   if (!suggestion.facing) return;
+  const double kept = kept_gap(object, said, *suggestion.facing);
   for (std::size_t k = 0; k < room.polygon.size(); ++k) {
     const Segment wall = room.polygon.edge(k);
     const Vec2 inward = room.polygon.inward(k), from = *suggestion.location - wall.a;
@@ -61,7 +69,8 @@ void snap_to_walls(const Room& room, const Object& object, Suggestion& suggestio
     const double half = half_towards(object, *suggestion.facing, inward);
     const double gap = from.dot(inward) - half;
     if (half <= 0.0 || along < 0.0 || along > wall.length()) continue;
-    if (gap <= nearly_flush && gap >= -nearly_inside)
+    const bool is_kept = gap >= 0.0 && gap <= kept;
+    if (gap <= nearly_flush && gap >= -nearly_inside && !is_kept)
       *suggestion.location += (flush - gap) * inward;
   }
 }

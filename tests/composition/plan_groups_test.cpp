@@ -84,3 +84,38 @@ TEST_CASE("A group that cannot be made is told, and the rest is made") {
     CHECK(count_of(plan, "table", false) == 1);
   }
 }
+
+TEST_CASE("Things of a group are put up as their place says, not as their kind is used to") {
+  const Plan plan = completed(
+      plan_with(
+          R"([{"id": "g", "parts": [{"kind": "table"}, {"kind": "vase", "beside": "table", "side": "left"},
+          {"kind": "teapot", "on": "table"}, {"kind": "cup", "beside": "teapot", "side": "right"},
+          {"kind": "wall lamp", "beside": "table", "side": "right"}, {"kind": "mirror", "of": "table", "at": [0, 1]}]},
+          {"id": "b", "parts": [{"kind": "water heater"}]}])",
+          R"([{"category": "water heater", "description": "x", "size": [1.3, 1.3, 2.4], "group": "b", "part": "water heater"},
+          {"category": "mirror", "description": "x", "lean": 10, "group": "g", "part": "mirror"}])"),
+      KindTable::built_in());
+  std::map<std::string, Mount> mounts;
+  for (const auto& item : plan.items) mounts[item.category] = item.mount;
+  CHECK(mounts["vase"] == Mount::floor);
+  CHECK(mounts["cup"] == Mount::surface);
+  CHECK(mounts["wall lamp"] == Mount::wall);
+  CHECK(mounts["water heater"] == Mount::floor);
+  CHECK(mounts["mirror"] == Mount::floor);
+  CHECK(carriers(plan, KindTable::built_in()).at("cup-0") == "table-0");
+}
+
+TEST_CASE("Chairs deeper than their table keep it off no wall, and nor do they what hangs over it") {
+  const Plan plan = completed(
+      plan_with(
+          R"([{"id": "g", "parts": [{"kind": "side table", "size": [0.45, 0.45, 0.6]},
+          {"kind": "chair", "size": [0.5, 0.6, 0.9], "beside": "side table", "side": "sides", "count": 1},
+          {"kind": "mirror", "size": [0.8, 0.04, 1.0], "above": "side table"}]}])",
+          "[]"),
+      KindTable::built_in());
+  const auto ways = ways_to_stand(plan, plan.groups.front(), KindTable::built_in(), {});
+  REQUIRE(ways);
+  REQUIRE(ways->size() > 1);
+  for (const auto& member : (*ways)[1].members)
+    CHECK(member.place.position.y() + 0.5 * member.size.y() == Approx(0.225));
+}

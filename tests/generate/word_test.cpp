@@ -121,6 +121,55 @@ TEST_CASE("What is said to stand nearly at a wall stands flush with it") {
   CHECK(std::abs(sofa.position.x() - 2.0) < 0.01);
 }
 
+TEST_CASE("What is said squarely and near enough to a wall stands just there") {
+  for (const std::string constraints : {"edge", "next to, wall-2"}) {
+    Speaker designer([&](const PlaceRequest& request) {
+      return said(constraints, {2.0, 4.2 - 0.03 - 0.5 * request.object.size.y()}, 0);
+    });
+    const auto room = furnished(plan_of({item("sofa")}, room_with_door(4.6, 4.2)), designer);
+    const Object& sofa = object(room, "sofa-0");
+    CHECK(4.2 - sofa.position.y() - 0.5 * sofa.size.y() == Approx(0.03).margin(1e-3));
+  }
+}
+
+TEST_CASE("What is said decides how a thing is put up, not what its kind is used to") {
+  PlanItem boiler = item("water heater", Mount::wall), stool = item("stool");
+  boiler.size = Vec3(0.45, 0.45, 0.9);
+  stool.size = Vec3(0.4, 0.4, 0.5);
+  Speaker designer([](const PlaceRequest& request) {
+    if (request.object.id == "water heater-0") return said("middle", {2.3, 2.6}, 0);
+    PlaceAdvice advice = said("", {1.5, 2.0}, 0);
+    advice.bottom = 1.6;
+    return advice;
+  });
+  const auto room = furnished(plan_of({boiler, stool}, room_with_door(4.6, 4.2)), designer);
+  const Object &standing = object(room, "water heater-0"), &hung = object(room, "stool-0");
+  CHECK(standing.mount == Mount::floor);
+  CHECK(standing.position.z() < 1e-6);
+  CHECK(off(standing, {2.3, 2.6}) < 0.01);
+  CHECK(hung.mount == Mount::ceiling);
+  CHECK(bottom(hung) == Approx(1.6));
+  CHECK(top(hung) == Approx(room.scene.room.height));
+  // At its own height, by a wire.
+  CHECK(hung.size.z() * (1.0 - hung.asset.wires) == Approx(0.5).margin(0.06));
+}
+
+TEST_CASE("What hangs under a beam hangs from it") {
+  PlanItem beam = item("cable tray", Mount::ceiling), stool = item("stool");
+  beam.size = Vec3(3.0, 0.2, 0.2);
+  stool.size = Vec3(0.3, 0.3, 0.4);
+  Speaker designer([](const PlaceRequest& request) {
+    if (request.object.id == "cable tray-0") return said("", {2.3, 2.0}, 0);
+    PlaceAdvice advice = said("hang from, cable tray-0", {1.7, 2.0}, 0);
+    advice.bottom = 1.7;
+    return advice;
+  });
+  const auto room = furnished(plan_of({beam, stool}, room_with_door(4.6, 4.2)), designer);
+  CHECK(off(object(room, "stool-0"), {1.7, 2.0}) < 0.01);
+  CHECK(bottom(object(room, "stool-0")) == Approx(1.7));
+  CHECK(top(object(room, "stool-0")) == Approx(bottom(object(room, "cable tray-0"))));
+}
+
 TEST_CASE("No constraint of a later thing moves what a designer placed") {
   Speaker designer([](const PlaceRequest& request) {
     if (request.object.id == "sofa-0") return said("edge", {2.0, 3.7}, 0);

@@ -160,3 +160,13 @@ TEST_CASE("A zone lies along the whole of its side, in the object's own sense of
       CHECK((turned.to_local(zone.center()) - center(side)).norm() < 1e-9);
     }
 }
+
+TEST_CASE("Who lies in a bed gets in at its long sides, and not at its head") {
+  const UseZone left{Side::left, 0.5, {}, 0.6, true};
+  const Footprint zone = zone_footprint(Footprint({0, 0}, {1.6, 2.0}, 0.0), left);
+  CHECK((zone.center() - Vec2(1.05, -0.3)).norm() < 1e-12);
+  CHECK(zone.area() == Approx(0.5 * 1.4));
+  const Footprint along = zone_footprint(Footprint({0, 0}, {2.5, 1.1}, 0.0), left);
+  CHECK((along.center() - Vec2(0, -0.8)).norm() < 1e-12);
+  CHECK(along.area() == Approx(0.5 * 2.5));
+}

@@ -63,4 +63,8 @@ TEST_CASE("hang from: at the ceiling or with the back at the wall") {
   Object picture = rooms::thing("picture-0", "thing", {0.8, 0.04, 0.6}, {3, 5.97}, 0);
   picture.position.z() = 1.4;
   CHECK(is("hang from", picture));
+  Scene beam = with_table();
+  beam.objects[0].position.z() = 2.1;
+  CHECK(held(beam, lamp(2.1 - lamp(0.0).size.z()), "hang from, table-0"));
+  CHECK_FALSE(held(beam, lamp(1.9 - lamp(0.0).size.z()), "hang from, table-0"));
 }

@@ -42,6 +42,9 @@ struct UseZone {
   Side side = Side::front;
   double depth = 0.6;
   std::vector<std::string> partners;  ///< categories that may stand in it (a chair at its desk)
+  double inset = 0.0;  ///< metres of the side, from the back, that it leaves out: the head of a bed
+  /// Of a bed: left and right mean its long sides, front and back of one wider than deep.
+  bool lengthwise = false;
 };
 
 /// Of a table's edge, for each who sits there; metres (NKBA Kitchen & Bathroom Planning Guidelines).

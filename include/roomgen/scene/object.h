@@ -39,6 +39,8 @@ struct AssetRef {
   /// How the mesh leans, radians: about its X (above 0: forward), then about its Y. The box of what leans is
   /// that of the leaning mesh.
   Vec2 tilt = Vec2::Zero();
+  /// Of what hangs by thin wires: their share of the height of its box, [0, 1); 0: it has none.
+  double wires = 0.0;
 
   bool is_box() const { return id.empty() && !procedural; }
   bool operator==(const AssetRef&) const = default;

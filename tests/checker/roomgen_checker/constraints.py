@@ -375,4 +375,7 @@ class Judge:
         at_ceiling = abs(thing.top - self.room.height) <= 0.05
         if target in (None, "ceiling"):
             return at_ceiling or (target is None and bool(walls))
+        beam = self.places.get(target)
+        if beam is not None and beam.wall is None:
+            return at_ceiling or bool(walls) or abs(thing.top - beam.bottom) <= 0.05
         return target in walls or (target == "wall" and bool(walls))

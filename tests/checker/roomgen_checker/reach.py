@@ -18,7 +18,7 @@ RADIUS = 0.25
 LENIENCE = 0.02
 CELL = 0.01
 ZONE_SLACK = 0.02
-OVERHEAD = 1.9
+OVERHEAD = 1.75
 WALL_OVERHEAD = 1.2
 
 
@@ -128,11 +128,24 @@ def needs_access(thing):
     return is_obstacle(thing) and thing.mount in ("floor", "wall")
 
 
+def zone_rectangle(thing, zone):
+    """The floor of a use zone: without the head of a bed, and of one wider than deep at its long sides."""
+    side, (w, d) = zone["side"], thing.size[:2]
+    beside = side in ("left", "right")
+    if beside and zone.get("lengthwise") and w > d:
+        return geo.side_rectangle(thing, "front" if side == "left" else "back", zone["depth"])
+    if not beside or not zone.get("inset"):
+        return geo.side_rectangle(thing, side, zone["depth"])
+    inset, far = min(zone["inset"], d / 2), w / 2 + zone["depth"]
+    x0, x1 = (w / 2, far) if side == "left" else (-far, -w / 2)
+    return geo.local_rectangle(thing.centre, thing.yaw, x0, x1, -d / 2, d / 2 - inset)
+
+
 def unusable_reason(thing, scene, categories, walk):
     """None if a zone of the thing is free and reachable, or if it has none."""
     reasons = []
     for zone in categories.zones(thing.category):
-        rectangle = geo.side_rectangle(thing, zone["side"], zone["depth"])
+        rectangle = zone_rectangle(thing, zone)
         blockers = zone_blockers(thing, zone, rectangle, scene, categories)
         if blockers:
             reasons.append(f"{zone['side']}: blocked by {', '.join(blockers)}")
