@@ -236,7 +236,7 @@ class Assessor {
   }
 
   void check_stable() {
-    const auto standing = create::detail::standing(bodies_.parts());
+    const auto standing = create::detail::standing(bodies_.parts(), bodies_.contact());
     set(Check::stable, standing.stable(),
         "the centre of mass is " + format_number(-1000.0 * standing.margin, 0) +
             " mm outside what stands on the ground");
