@@ -64,10 +64,15 @@ bool is_brought(const RequirementVerdict& verdict) {
   return verdict.requirement.source == Source::person || verdict.requirement.source == Source::activity;
 }
 
+// What a model changed in its own room nobody asked for.
+bool is_of_wish(const RequirementVerdict& verdict) {
+  return verdict.requirement.source != Requirement::Source::edit;
+}
+
 Met met_of(const Scene& scene, bool brought) {
   Met result;
   for (const auto& verdict : scene.requirements) {
-    if (is_brought(verdict) != brought) continue;
+    if (!is_of_wish(verdict) || is_brought(verdict) != brought) continue;
     ++result.all;
     result.met += verdict.met();
   }

@@ -37,6 +37,7 @@ Result<std::vector<ReviewRound>> review_room(const RoomToReview& room, Scene& sc
       return pictures_for_model(room.designer, drawer, looked_at, {"marks", "iso", "eye"}, seen_pixels);
     };
   reviewing.rounds = room.rounds;
+  reviewing.tokens = room.designer.plan_tokens;  // it may draw things, as for the plan
   reviewing.cancel = room.cancel;
   auto rounds = review(*session, reviewing);
   if (!rounds) return rounds;

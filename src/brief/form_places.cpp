@@ -170,6 +170,11 @@ class PlaceReader {
            const FormTarget& target) {
     if (const auto metres = node["m"].number(); metres && *metres > 0.0 && *metres < 1000.0)
       return keep_apart(index, *metres, bound_in_form(node["bound"]), target);
+    const bool in_corner = placement.relations.front() == RelationKind::corner;
+    if (target.place && in_corner && target.place->place == Place::wall) {  // of the back wall
+      talk_.locate({index}, as_of_place(placement), PlacePhrase{Place::corner});
+      return talk_.locate({index}, Placement{.relations = {RelationKind::near}}, *target.place);
+    }
     if (target.place) return talk_.locate({index}, as_of_place(placement), *target.place);
     if (target.mention == index) return say_of_each_other(index, placement);
     if (placement.hanging) talk_.hang_from_ceiling({index});

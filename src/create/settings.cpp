@@ -94,12 +94,7 @@ class Chooser {
 
   // What a picture shows, and what it or a sign says.
   void print() {
-    Print print = print_in(description_.prompt);
-    if (KindTable::built_in().is_any_of(kind_.name, printed_cloths)) {
-      const auto prints = shape::motifs_on_cloth(description_.prompt);
-      print.motif = prints.empty() ? "" : prints.front();
-      if (!print.motif.empty() && find("theme")) (void)set_word("pattern", "none");
-    }
+    const Print print = print_on_it();
     const auto set = [&](const char* name, const std::string& text) {
       const shape::Parameter* parameter = find(name);
       if (parameter && parameter->text && !text.empty()) result_.values[name] = text;
@@ -115,6 +110,15 @@ class Chooser {
     const bool is_large = is_sign || print.motif.empty();
     set("words", is_large ? in_lines(words) : words);
     if (!words.empty()) (void)set_word("light_style", "neon word");
+  }
+
+  Print print_on_it() {
+    Print print = print_in(description_.prompt);
+    if (!KindTable::built_in().is_any_of(kind_.name, printed_cloths)) return print;
+    const auto prints = shape::motifs_on_cloth(description_.prompt);
+    print.motif = prints.empty() ? "" : prints.front();
+    if (!print.motif.empty() && find("theme")) (void)set_word("pattern", "none");
+    return print;
   }
 
   bool set_word(const std::string& name, const std::string& word) {

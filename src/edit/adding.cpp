@@ -72,9 +72,10 @@ Status hang_at_window(Draft& draft, const Newcomer& newcomer, const AssetInfo& a
   object.asset = asset.ref;
   object.mount = Mount::wall;
   std::string why;
+  const auto height = newcomer.item.size ? std::optional(newcomer.item.size->z()) : std::nullopt;
   for (const Opening* window : windows_to_cover(room, layout.objects(), newcomer.item.category)) {
     if (!asked(window)) continue;
-    for (const auto& hung : hangings(object, newcomer.kind, room, *window)) {
+    for (const auto& hung : hangings(object, newcomer.kind, room, *window, height)) {
       auto place = settled(draft, layout, Cluster{hung, {}});
       if (place) return draft.put(*place), Status();
       why = " at " + window->id + ": " + place.error().message;

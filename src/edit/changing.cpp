@@ -42,7 +42,9 @@ Status check_paintable(Draft& draft, const Object& object, const std::map<std::s
 Status carry_out(Draft& draft, const edit::Recolor& recolor) {
   const auto object = object_to_change(draft, recolor.object);
   if (!object) return object.error();
-  const auto finish = create::wanted_finish(recolor.looks, object->category);
+  auto finish = create::wanted_finish(recolor.looks, object->category);
+  // An apple's description does not paint it; who asks for it does.
+  if (finish.empty()) finish = create::wanted_finish(recolor.looks, "");
   if (finish.empty())
     return Error{Error::Kind::not_understood,
                  "\"" + recolor.looks + "\" names no colour, material or pattern that is known"};

@@ -61,7 +61,7 @@ std::vector<std::string> changes_of(const Object& before, const Object& after, c
   if (const double turn = wrap_angle(after.yaw - before.yaw); std::abs(turn) > told_turn)
     words.push_back(turned_words(turn));
   if (before.on != after.on && !after.on.empty()) words.push_back("now stands on " + after.on);
-  if (before.size != after.size)
+  if (size_text(before.size) != size_text(after.size))
     words.push_back("is now " + size_text(after.size) + " m, not " + size_text(before.size));
   add_asset_words(before, after, words);
   if (before.locked != after.locked) words.push_back(after.locked ? "is locked" : "is no longer locked");

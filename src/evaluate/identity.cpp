@@ -37,6 +37,8 @@ bool ends_with_kind(const std::string& kind, const std::string& category) {
   return ends_with_words(kind, category) && !makes_an_image(words(kind).front());
 }
 
+constexpr std::string_view drawn_recipe = "program";
+
 // "jar of flowers" is a jar.
 bool is_kind_of_something(const Identity& identity, const std::vector<std::string>& pieces) {
   const auto of = std::find(pieces.begin(), pieces.end(), "of");
@@ -85,6 +87,9 @@ Identity identify(const Object& object, const Vocabulary& vocabulary) {
     if (kind.empty()) kind = text_parameter(*asset.procedural, "name");  // of a program
     identity.kind = key(kind.empty() ? asset.procedural->recipe : kind);
     identity.basis = "recipe kind " + identity.kind;
+    // Who drew it says what it was drawn as.
+    if (asset.procedural->recipe == drawn_recipe)
+      for (auto& word : words(object.description)) identity.words.insert(singular(std::move(word)));
   } else if (const auto* seen = seen_asset(asset)) {
     identity.kind = key(seen->kind);
     for (auto& word : seen->told()) identity.words.insert(singular(std::move(word)));

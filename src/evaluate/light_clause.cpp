@@ -52,20 +52,29 @@ bool is_noun_of_light(const std::string& word) {
   return nouns.count(word) > 0;
 }
 
+struct SaidLight {
+  bool is_of_light = false;  // "long polar twilight" is, "evening dresses on a rail" is not
+  bool holds = true;
+  std::vector<std::string> all, unknown;
+};
+
+SaidLight read_light(const std::string& said, const Lighting& light) {
+  SaidLight read{.all = words(said)};
+  for (std::size_t at = 0, length = 1; at < read.all.size(); at += length, length = 1) {
+    const Lighting* mood = finish_words().mood_at(read.all, at, length);
+    const std::string& word = read.all[at];
+    const bool is_noun = is_noun_of_light(word);
+    read.is_of_light = read.is_of_light || is_noun || (mood && at + length == read.all.size());
+    read.holds = read.holds && (!mood || is_so(*mood, light));
+    if (!mood && !is_noun && !is_plain(word)) read.unknown.push_back(word);
+  }
+  return read;
+}
+
 }  // namespace
 
 Finding judge_light(const std::string& said, const Lighting& light) {
-  const auto all = words(said);
-  bool is_of_light = false, holds = true;
-  std::vector<std::string> unknown;
-  for (std::size_t at = 0, length = 1; at < all.size(); at += length, length = 1) {
-    const Lighting* mood = finish_words().mood_at(all, at, length);
-    const bool is_noun = is_noun_of_light(all[at]);
-    // "Long polar twilight" is light, "evening dresses on a rail" is none.
-    is_of_light = is_of_light || is_noun || (mood && at + length == all.size());
-    holds = holds && (!mood || is_so(*mood, light));
-    if (!mood && !is_noun && !is_plain(all[at])) unknown.push_back(all[at]);
-  }
+  const auto [is_of_light, holds, all, unknown] = read_light(said, light);
   if (!is_of_light) return {Compliance::not_judged, "nothing measures it"};
   if (holds && unknown.empty()) return {};
   return by_fault((unknown.size() < all.size() && holds ? "partly: lit " : "lit ") +

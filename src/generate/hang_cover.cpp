@@ -32,6 +32,10 @@ Object unhung_cover(const std::string& id, const PlanItem& item, const Kind& cat
   return object;
 }
 
+std::optional<double> said_height(const PlanItem& item) {
+  return item.size ? std::optional(item.size->z()) : std::nullopt;
+}
+
 // An asset for the box, or nothing if none is of this size.
 Result<std::optional<AssetInfo>> made_to_measure(const Work& work, const PlannedObject& planned,
                                                  const Object& hung) {
@@ -72,7 +76,7 @@ Result<Hanging> find_hanging(Work& work, const PlannedObject& planned) {
   const auto windows = windows_in_order(work.place.room, work.layout().objects(), work.item(planned));
   if (windows.empty()) return no_place("the room has no window at which it could hang");
   for (const Opening* window : windows)
-    for (auto& hung : hangings(object, category, work.place.room, *window)) {
+    for (auto& hung : hangings(object, category, work.place.room, *window, said_height(work.item(planned)))) {
       const auto asset = made_to_measure(work, planned, hung);
       if (!asset) return asset.error();
       if (*asset && may_hang(work, planned, **asset, hung))
@@ -87,7 +91,7 @@ void measure_covers(Workplace& place) {
     if (!kind.covers_window) continue;
     const auto windows = windows_in_order(place.room, {}, item);
     if (windows.empty()) continue;
-    const auto hung = hangings(unhung_cover("", item, kind), kind, place.room, *windows.front());
+    const auto hung = hangings(unhung_cover("", item, kind), kind, place.room, *windows.front(), said_height(item));
     if (!hung.empty()) item.size = hung.front().size;
   }
 }

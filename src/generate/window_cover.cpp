@@ -13,7 +13,8 @@ constexpr double over_head = 0.1;  // of the rod
 constexpr double under_sill = 0.06;
 constexpr double under_ceiling = 0.02;
 constexpr double off_wall = 0.004;  // so that faces do not coincide
-constexpr double least_width = 0.3, least_height = 0.3;
+constexpr double least_width = 0.3, least_height = 0.3, least_said_height = 0.1;
+constexpr double short_share = 0.85;  // of the usual height: what is said to be less is not drawn down
 
 // The wall that is free at each side of the window: to its end, or half-way to the next opening.
 double free_beside(const Room& room, const Opening& window) {
@@ -49,7 +50,7 @@ bool hangs_at(const Object& object, const Room& room, const Opening& window) {
 }  // namespace
 
 std::vector<Object> hangings(const Object& object, const Kind& category, const Room& room,
-                             const Opening& window) {
+                             const Opening& window, std::optional<double> height) {
   const double sill = std::max(0.0, window.sill - under_sill);
   const bool falls_lower = category.elevation < sill;
   const double usual = falls_lower ? curtain_overhang : blind_overhang;
@@ -63,6 +64,9 @@ std::vector<Object> hangings(const Object& object, const Kind& category, const R
   std::erase_if(all, [](const Object& one) {
     return one.size.x() < least_width || one.size.z() < least_height;
   });
+  if (height && !all.empty() && *height < short_share * all.front().size.z())
+    all.insert(all.begin(), hung(object, room, window, overhang,
+                                 top(all.front()) - std::max(*height, least_said_height)));
   return all;
 }
 

@@ -66,6 +66,10 @@ Claim claim(const Plan& plan, const brief::Brief& brief, const KindTable& table)
           lacking[m] -= plan.items[i].quantity;
         }
   };
+  // A record bin is rather what is called so than a bin of the known kind.
+  give([&](const PlanItem& item, const brief::Mention& asked) {
+    return is_named_so(item, asked, table) && words(item.category) == words(asked.description);
+  });
   give([](const PlanItem& item, const brief::Mention& asked) {
     return item.category == asked.category;
   });
