@@ -97,6 +97,7 @@ void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
   const auto all = work.layout().objects();
   const std::vector<Object> stood(all.begin(), all.end());
   work.layout().remove(standing.id);
+  disband(work, standing.id);
   auto second = second_answer(work, asset, trial, standing);
   const Object* moved = work.layout().find(standing.id);
   if (second && moved) add_objections(work, *moved, *second);

@@ -38,6 +38,9 @@ PlacementTask with_companions(Work& work, const PlannedObject& planned, const Pl
 /// The group of an anchor that found no place: its things stand for themselves.
 void fall_apart(Work& work, const PlannedObject& planned, const PlacementTask& task);
 
+/// The group that stands around an anchor gives up its places: it stands anew with it.
+void disband(Work& work, const std::string& anchor);
+
 /// Puts a thing at its place in its group, or says in `step` that the group had none for it. False
 /// where it has to find a place for itself.
 bool take_place_in_group(Work& work, const PlannedObject& planned, Step& step);

@@ -239,6 +239,16 @@ Result<Placement> place_with_group(Work& work, const PlannedObject& planned, Pla
   return std::move(placed->placement);
 }
 
+void disband(Work& work, const std::string& anchor) {
+  auto& groups = work.state.groups;
+  const auto found = std::find_if(groups.begin(), groups.end(), [&](const StandingGroup& group) {
+    return group.anchor.object.id == anchor;
+  });
+  if (found == groups.end()) return;
+  if (found->is_whole) work.state.tried_groups.erase(found->id);
+  groups.erase(found);
+}
+
 PlacementTask with_companions(Work& work, const PlannedObject& planned, const PlacementTask& task) {
   PlacementTask whole = task;
   if (!begins_group(work, planned)) return whole;

@@ -18,29 +18,6 @@ Generation made(const Plan& plan) {
   return *std::move(room);
 }
 
-PlanItem member(const std::string& category, const std::string& part, const Vec3& size) {
-  PlanItem item = rooms::item(category);
-  item.group = "seats", item.part = part;
-  item.size = size;
-  item.asked = true;
-  return item;
-}
-
-// A desk of 1.2 m with a stool at a place of its frame.
-Plan desk_and_stool(const Vec2& desk, const std::string& stool) {
-  Plan plan = rooms::plan_of({member("desk", "desk", {1.2, 0.6, 0.75}),
-                              member("stool", "stool", {0.4, 0.4, 0.5})},
-                             rooms::room_with_door(5, 4));
-  PlanGroup group;
-  group.id = "seats";
-  group.definition = R"({"parts": [{"part": "desk", "kind": "desk"},
-      {"part": "stool", "kind": "stool", "of": "desk", "at": )" + stool + "}]}";
-  group.location = desk;
-  group.facing = 0.0;
-  plan.groups = {group};
-  return plan;
-}
-
 double off(const Generation& room, const std::string& id, const Vec2& place) {
   const Object* object = find_object(room.scene, id);
   REQUIRE(object);
@@ -53,7 +30,7 @@ TEST_CASE("A group of which something would be outside is moved by little more t
   for (const double outside : {0.0, 0.004, 0.01, 0.03, 0.12}) {
     INFO(outside);
     const Vec2 desk(4.0 + outside, 2.5);  // the stool ends 1 m to its left
-    const Generation room = made(desk_and_stool(desk, "[0.8, 0]"));
+    const Generation room = made(rooms::desk_and_stool(desk, "[0.8, 0]"));
     CHECK(off(room, "desk-0", desk) <= 1.5 * outside + 0.02);
     const Vec2 apart = (find_object(room.scene, "stool-0")->position -
                         find_object(room.scene, "desk-0")->position).head<2>();
@@ -62,7 +39,7 @@ TEST_CASE("A group of which something would be outside is moved by little more t
 }
 
 TEST_CASE("A member that overlaps another stands beside its place, and its group where it was said") {
-  const Generation room = made(desk_and_stool({2.5, 2.5}, "[0.75, 0]"));  // 5 cm within the desk's end
+  const Generation room = made(rooms::desk_and_stool({2.5, 2.5}, "[0.75, 0]"));  // 5 cm within the desk's end
   CHECK(off(room, "desk-0", {2.5, 2.5}) < 1e-3);
   CHECK(off(room, "stool-0", {3.25, 2.5}) < 0.1);
 }

@@ -202,6 +202,19 @@ TEST_CASE("What could not be followed is asked about once more, and the better a
   CHECK(room.notes.empty());
 }
 
+TEST_CASE("A group that is placed anew goes whole to where it is said then") {
+  int answers = 0;
+  Speaker designer([&](const PlaceRequest&) {
+    return answers++ == 0 ? said("behind, wall-0", {1.5, 2.0}, 0) : said("", {3.2, 2.6}, 0);
+  });
+  auto plan = rooms::desk_and_stool({}, "[0.8, 0]");
+  plan.groups.front().location.reset(), plan.groups.front().facing.reset();
+  const auto room = furnished(plan, designer);
+  CHECK(answers == 2);
+  CHECK(off(object(room, "desk-0"), {3.2, 2.6}) < 0.02);
+  CHECK(off(object(room, "stool-0"), {4.0, 2.6}) < 0.02);
+}
+
 TEST_CASE("Without improvement and repair nothing that stands moves") {
   Speaker designer([](const PlaceRequest& request) {
     if (request.object.id == "sofa-0") return said("edge", {2.0, 3.7}, 0);
