@@ -9,6 +9,7 @@
 #include "roomgen/base/text.h"
 #include "solve/improve.h"
 #include "solve/place.h"
+#include "solve/refusal.h"
 
 namespace roomgen {
 
@@ -84,6 +85,21 @@ void add_objections(const Work& work, const Object& standing, Attempt& attempt) 
     attempt.objections.push_back(std::move(one));
 }
 
+// Who is asked again where a thing shall go that stands elsewhere learns what was in the way.
+void explain(Work& work, const AssetInfo& asset, Trial& trial, const Object& standing) {
+  Attempt& attempt = trial.step.attempts.back();
+  constexpr double told_from = 0.3;  // metres
+  const auto& said = attempt.answer.location;
+  if (!said || standing.mount == Mount::surface || (standing.position.head<2>() - *said).norm() < told_from) return;
+  auto task = prepare(work, trial.planned, asset);
+  if (!task) return;
+  task->location = said;
+  if (attempt.answer.yaw) task->facing = attempt.answer.yaw;
+  const std::string why =
+      why_not_there(work.layout(), with_companions(work, trial.planned, *task));
+  if (!why.empty()) attempt.objections.back() += why;
+}
+
 // Nothing of an answer is dropped silently: a model is told once what could not be followed, and the
 // answer that is followed better stays.
 void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
@@ -98,6 +114,7 @@ void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
   const std::vector<Object> stood(all.begin(), all.end());
   work.layout().remove(standing.id);
   disband(work, standing.id);
+  explain(work, asset, trial, standing);
   auto second = second_answer(work, asset, trial, standing);
   const Object* moved = work.layout().find(standing.id);
   if (second && moved) add_objections(work, *moved, *second);

@@ -157,9 +157,14 @@ Error refusal(Layout& layout, const PlacementTask& task, const Layout::Candidate
   if (behind > hardly)
     why += "; its group reaches " + format_number(behind, 2) +
            " m behind it: put it so far off a wall";
+  return {Error::Kind::not_found, why + why_not_there(layout, task)};
+}
+
+std::string why_not_there(Layout& layout, const PlacementTask& task) {
   const std::string blockers = blocked_by(layout, task, *task.location);
-  if (!blockers.empty()) why += "; in the way at the suggested place: " + blockers;
-  return {Error::Kind::not_found, why + misfit_at(layout, task, *task.location)};
+  const std::string in_the_way =
+      blockers.empty() ? "" : "; in the way at the suggested place: " + blockers;
+  return in_the_way + misfit_at(layout, task, *task.location);
 }
 
 bool needs_way_in(const Layout& layout, const PlacementTask& task) {

@@ -215,6 +215,17 @@ TEST_CASE("A group that is placed anew goes whole to where it is said then") {
   CHECK(off(object(room, "stool-0"), {4.0, 2.6}) < 0.02);
 }
 
+TEST_CASE("Who is asked again learns what was in the way") {
+  Speaker designer([](const PlaceRequest& request) {
+    return request.object.id == "sofa-0" ? said("", {2.3, 2.0}, 0) : said("edge", {2.3, 2.1}, 0);
+  });
+  furnished(plan_of({item("sofa"), item("desk")}, room_with_door(4.6, 4.2)), designer);
+  const auto told = std::find_if(designer.objections.begin(), designer.objections.end(),
+                                 [](const auto& some) { return !some.empty(); });
+  REQUIRE(told != designer.objections.end());
+  CHECK(contains_text(told->back(), "in the way at the suggested place: sofa-0"));
+}
+
 TEST_CASE("Without improvement and repair nothing that stands moves") {
   Speaker designer([](const PlaceRequest& request) {
     if (request.object.id == "sofa-0") return said("edge", {2.0, 3.7}, 0);
