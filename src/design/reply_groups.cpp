@@ -315,7 +315,8 @@ class GroupReader {
   }
 
   void put(const Json& thing, const Said& said, const std::string& of, int count, Json& part) const {
-    const std::string key = said.where->key;
+    std::string key = said.where->key;
+    if (key == "of" && !*said.where->side && is_within(thing, part["kind"], of)) key = "on";
     part[key] = of;
     if (*said.where->side) part["side"] = said.where->side;
     const bool in_a_row = key == "beside" || key == "around";
@@ -337,12 +338,23 @@ class GroupReader {
     else if (sits_before && !degrees_said) part["facing"] = "to";
   }
 
-  // As far as the answer or the kind tells; 0 of a composition.
-  double width_of(const std::string& part) const {
-    for (const auto* draft : drafts_)
-      if (draft->item.part == part) return draft->item.size.value_or(kinds_.get(draft->item.category).size).x();
-    return 0.0;
+  // At a place within a table's own outline is on it, unless it is a rug or a seat.
+  bool is_within(const Json& thing, const std::string& kind, const std::string& of) const {
+    const Json* at = member(thing, {"at m", "at"});
+    const bool is_place = at && at->is_array() && at->size() == 2 && (*at)[0].is_number() && (*at)[1].is_number();
+    if (!is_place || kinds_.get(kind).traits.flat || kinds_.is_a(kind, "seat")) return false;
+    const Vec3 outline = size_of(of);
+    return std::abs((*at)[0].get<double>()) < 0.5 * outline.x() &&
+           std::abs((*at)[1].get<double>()) < 0.5 * outline.y();
   }
+
+  // As far as the answer or the kind tells; 0 of a composition.
+  Vec3 size_of(const std::string& part) const {
+    for (const auto* draft : drafts_)
+      if (draft->item.part == part) return draft->item.size.value_or(kinds_.get(draft->item.category).size);
+    return Vec3::Zero();
+  }
+  double width_of(const std::string& part) const { return size_of(part).x(); }
 
   // Which part is meant: by its name, the kind of thing, or one of the composition.
   std::string target(const std::string& said, const Json& parts) const {

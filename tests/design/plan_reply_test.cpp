@@ -2,6 +2,8 @@
 
 #include "plan_form.h"
 
+#include <nlohmann/json.hpp>
+
 #include "base/random.h"
 #include "brief/prompt.h"
 #include "catch.h"
@@ -337,6 +339,24 @@ TEST_CASE("A group of an answer's own says where each thing is, and a compositio
   REQUIRE(rows.groups.size() == 1);
   CHECK(count_of_part(rows, "unit/table") == 4);
   CHECK(count_of_part(rows, "screen") == 4);
+}
+
+TEST_CASE("At a place within the outline of a table is on it, but for rugs and seats") {
+  const Plan plan = read_whole(R"([{"id": "map", "composition": null, "things": [
+    {"part": "table", "name": "dining table", "size_cm": [180, 90, 76], "where": null},
+    {"part": "chart", "name": "nautical chart", "size_cm": [110, 70, 4], "where": "at table", "at_m": [0, 0]},
+    {"part": "plant", "name": "plant", "where": "at table", "at_m": [1.3, 0]},
+    {"part": "rug", "name": "rug", "where": "at table", "at_m": [0, 0]}]}])").plan;
+  const auto carried = [&](const std::string& part) {
+    const auto parts = Json::parse(plan.groups.at(0).definition)["parts"];
+    for (const auto& one : parts)
+      if (one["part"] == part) return one.contains("on");
+    FAIL(part + " is not there");
+    return false;
+  };
+  CHECK(carried("chart"));
+  CHECK_FALSE(carried("plant"));
+  CHECK_FALSE(carried("rug"));
 }
 
 TEST_CASE("What a group cannot be is told by its name, and its things stand for themselves") {
