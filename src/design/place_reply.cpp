@@ -86,26 +86,41 @@ void read_amendments(const Json& json, PlaceAdvice& advice, ReplyNotes& notes) {
 // {"move": [{"id": "sofa-0", "location": [x, y], "facing": 90}]}
 void read_moves(const Json& json, const PlaceReplyContext& context, const TargetNames& targets, PlaceAdvice& advice,
                 ReplyNotes& notes) {
-  constexpr std::size_t most_moves = 20;
+  constexpr std::size_t most_moves = 100;
   const Json* list = member(json, {"move", "moves"});
   if (!list || !list->is_array()) return;
   const auto frame = context.paper_frame ? MarksFrame::paper : MarksFrame::plan;
   for (const auto& one : *list) {
     const Json* id = one.is_object() ? member(one, {"id", "object"}) : nullptr;
-    const Json* to = id ? member(one, location_keys) : nullptr;
-    if (!to || !id->is_string() || advice.moves.size() >= most_moves) continue;
-    WantedMove move{lower(id->get<std::string>()), {}, {}};
-    const auto location = read_reply_location(*to, context.scene.room.polygon, frame, notes);
-    if (!location) continue;
-    move.location = *location;
-    if (const Json* facing = member(one, facing_keys); facing && !facing->is_null())
-      move.yaw = read_reply_facing(*facing, context.scene, targets, location, notes).yaw;
-    advice.moves.push_back(std::move(move));
+    const bool is_named = id && id->is_string();
+    if (advice.moves.size() >= most_moves) {
+      notes.lose("only the first " + std::to_string(most_moves) + " of " +
+                 std::to_string(list->size()) + " moves were taken; give the others again");
+      return;
+    }
+    const Json* to = is_named ? member(one, location_keys) : nullptr;
+    ReplyNotes own;
+    const auto location =
+        to ? read_reply_location(*to, context.scene.room.polygon, frame, own) : std::nullopt;
+    if (location) {
+      WantedMove move{lower(id->get<std::string>()), *location, {}};
+      if (const Json* facing = member(one, facing_keys); facing && !facing->is_null())
+        move.yaw = read_reply_facing(*facing, context.scene, targets, location, own).yaw;
+      advice.moves.push_back(std::move(move));
+    } else if (!to) {
+      own.lose(is_named ? "it has no location" : "it has no id");
+    }
+    const std::string name = is_named ? id->get<std::string>() : "a thing";
+    if (!own.lost.empty()) notes.lose("the move of " + name + ": " + join(own.lost, "; "));
   }
 }
 
 void bound(std::vector<std::string>& repairs) {
-  if (repairs.size() > max_place_repairs) repairs.resize(max_place_repairs);
+  if (repairs.size() > max_place_repairs) {
+    const std::size_t more = repairs.size() - max_place_repairs + 1;
+    repairs.resize(max_place_repairs - 1);
+    repairs.push_back("and " + std::to_string(more) + " more like these");
+  }
   for (auto& repair : repairs) repair = shortened(std::move(repair), max_repair);
 }
 
@@ -124,20 +139,25 @@ std::optional<Vec2> read_location(const Json& json, const PlaceReplyContext& con
   return std::nullopt;
 }
 
-// Furniture stands under a window when it is before it.
-std::vector<Relation> with_windows_before(const std::vector<Relation>& said,
-                                          const PlaceReplyContext& context, ReplyNotes& notes) {
+// What is on a wall has its back against that; furniture stands under a window when it is before it.
+std::vector<Relation> meant_by(const Relation& said, const PlaceReplyContext& context) {
+  if (said.kind == RelationKind::on && said.target.starts_with("wall-"))
+    return {{RelationKind::edge, ""}, {RelationKind::next_to, said.target}};
+  if (said.kind == RelationKind::under && context.object.mount == Mount::floor &&
+      find_opening(context.scene.room, said.target))
+    return {{RelationKind::near, said.target}, {RelationKind::in_front_of, said.target}};
+  return {};
+}
+
+std::vector<Relation> as_meant(const std::vector<Relation>& said, const PlaceReplyContext& context,
+                               ReplyNotes& notes) {
   std::vector<Relation> relations;
   for (const auto& relation : said) {
-    const bool before = relation.kind == RelationKind::under &&
-                        context.object.mount == Mount::floor &&
-                        find_opening(context.scene.room, relation.target);
-    if (!before) {
+    const auto meant = meant_by(relation, context);
+    if (meant.empty()) {
       relations.push_back(relation);
       continue;
     }
-    const std::vector<Relation> meant = {{RelationKind::near, relation.target},
-                                         {RelationKind::in_front_of, relation.target}};
     notes.repair("\"" + to_text(relation) + "\" was read as \"" + to_text(meant) + "\"");
     for (const auto& one : meant)
       if (std::find(said.begin(), said.end(), one) == said.end()) relations.push_back(one);
@@ -182,8 +202,8 @@ Result<PlaceReply> read_place_reply(std::string_view text, const PlaceReplyConte
   const TargetNames targets(context.scene, context.object, KindTable::built_in());
 
   if (const Json* constraints = member(json, constraint_keys))
-    advice.relations = with_windows_before(
-        read_reply_relations(*constraints, targets, notes), context, notes);
+    advice.relations =
+        as_meant(read_reply_relations(*constraints, targets, notes), context, notes);
   advice.location = read_location(json, context, notes);
   if (const Json* facing = member(json, facing_keys); facing && !facing->is_null()) {
     const auto read =
