@@ -5,6 +5,7 @@
 
 #include "composition/patterns.h"
 #include "fits_as_it_is.h"
+#include "builder_steps.h"
 #include "ready.h"
 
 namespace roomgen {
@@ -50,9 +51,24 @@ void suggest(BuildState& state, const Object& there, bool with_group) {
       group.posts.erase(there.id);
   for (auto& task : state.tasks)
     if (task.object.id == there.id && task.location) {
+      if (task.object.on != there.on) task.object.relations = there.relations;
+      task.object.on = there.on;
       task.location = there.position.head<2>();
       if (task.facing) task.facing = there.yaw;
     }
+}
+
+// On its own top there, else on whatever is highest there; as it is where it rests on nothing.
+Object resting_there(const Layout& layout, const Object& object) {
+  WantedPose wanted{object.position.head<2>(), object.yaw, {}, object.on};
+  auto rest = resting(layout, object, wanted);
+  wanted.on.clear();
+  if (!rest) rest = resting(layout, object, wanted);
+  if (!rest) return object;
+  for (auto& relation : rest->relations)
+    if (relation.kind == RelationKind::on && relation.target == object.on)
+      relation.target = rest->on;
+  return *std::move(rest);
 }
 
 // Why not; empty if it was done.
@@ -67,6 +83,7 @@ std::string move_one(Work& work, const WantedMove& move) {
   for (auto object = together.rbegin(); object != together.rend(); ++object) layout.remove(object->id);
   for (const auto& object : together) {
     Object there = carried(object, thing, move);
+    if (object.id == thing.id && thing.mount == Mount::surface) there = resting_there(layout, there);
     if (const auto status = fits_as_it_is(layout, there); !status) {
       arrange_as(layout, before);
       return move.object + " was not moved: " + status.error().message;
@@ -163,8 +180,16 @@ bool amend(Work& work, const PlannedObject& planned, const PlaceAdvice& advice) 
 
 std::vector<std::string> move_standing(Work& work, const std::vector<WantedMove>& moves) {
   std::vector<std::string> undone;
-  for (const auto& move : moves)
-    if (std::string why = move_one(work, move); !why.empty()) undone.push_back(std::move(why));
+  std::vector<WantedMove> left = moves;
+  for (std::size_t before = left.size() + 1; left.size() < before;) {  // what was in the way may be gone
+    before = left.size();
+    undone.clear();
+    std::erase_if(left, [&](const WantedMove& move) {
+      std::string why = move_one(work, move);
+      if (!why.empty()) undone.push_back(why);
+      return why.empty();
+    });
+  }
   return undone;
 }
 

@@ -1,5 +1,6 @@
 #include "attempts.h"
 
+#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "amend.h"
@@ -40,6 +41,21 @@ struct Trial {
   std::optional<PlacementTask> first = {};  ///< as the first attempt had it
 };
 
+// Of this size, where it is built: by the words anew, else it is stretched.
+AssetInfo resized(const Workplace& place, AssetInfo asset, const Vec3& size) {
+  if (!asset.ref.procedural) return asset;
+  if (asset.ref.procedural->recipe == "words") {
+    AssetRef ref = asset.ref;
+    Json params = Json::parse(ref.procedural->params, nullptr, false);
+    if (params.is_object()) params["size"] = {size.x(), size.y(), size.z()};
+    ref.procedural->params = params.dump();
+    if (auto built = place.library.find(asset_key(ref))) asset.ref = ref, asset.size = built->size;
+  } else {
+    asset.size = size;
+  }
+  return asset;
+}
+
 // The asset and the task as the designer amends the plan.
 Result<AssetInfo> amended(Work& work, const PlannedObject& planned, const AssetInfo& asset, const PlaceAdvice& advice,
                           PlacementTask& task) {
@@ -48,13 +64,15 @@ Result<AssetInfo> amended(Work& work, const PlannedObject& planned, const AssetI
   if (advice.size) {
     const auto assets = assets_for(work, planned);
     if (!assets) return assets.error();
-    if (!assets->empty()) taken = assets->front();
+    if (!assets->empty()) taken = resized(work.place, assets->front(), *advice.size);
   }
   auto anew = prepare(work, planned, taken);
   if (!anew) return anew.error();
   task = *std::move(anew);
   return taken;
 }
+
+std::string left_out_as_said(const std::string& why) { return "the designer left it out: " + why; }
 
 // Whatever comes of it, the room may go on with the first answer.
 Result<Attempt> second_answer(Work& work, const AssetInfo& asset, Trial& trial,
@@ -70,6 +88,7 @@ Result<Attempt> second_answer(Work& work, const AssetInfo& asset, Trial& trial,
   if (!advice) return advice.error();
   if (advice->consultation.fell_back)
     return Error{Error::Kind::invalid_input, "the model had no second answer"};
+  if (!advice->leave_out.empty() && !work.role_of(trial.planned.id)) return begun(asset, *advice);
   const auto not_moved = move_standing(work, advice->moves);
   const auto taken = amended(work, trial.planned, asset, *advice, *task);
   if (!taken) return taken.error();
@@ -79,41 +98,55 @@ Result<Attempt> second_answer(Work& work, const AssetInfo& asset, Trial& trial,
   return attempt;
 }
 
-void add_objections(const Work& work, const Object& standing, Attempt& attempt) {
-  for (auto& one : objections_to(work.place, attempt.answer, standing))
-    attempt.objections.push_back(std::move(one));
+// How many they are.
+std::size_t add_objections(const Work& work, const Object& standing, Attempt& attempt) {
+  const auto objections = objections_to(work.place, attempt.answer, standing);
+  attempt.objections.insert(attempt.objections.end(), objections.begin(), objections.end());
+  return objections.size();
+}
+
+bool is_to_answer_again(const Work& work, const Attempt& attempt, const Object& standing) {
+  const Consultation& asked = attempt.answer.consultation;
+  const bool by_model = asked.calls > 0 || !asked.prompt_sha256.empty();
+  const bool is_unmoved = attempt.objections.size() > 0;
+  return by_model && !asked.fell_back && !attempt.made_room &&
+         (is_unmoved || is_worth_asking(work.place, attempt.answer, standing));
 }
 
 // Nothing of an answer is dropped silently: a model is told once what could not be followed, and the
-// answer that is followed better stays.
+// answer by which the thing itself stands better stays; what else is moved is moved by both.
 void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
   Attempt& first = trial.step.attempts.back();
   const Object standing = *work.layout().find(trial.planned.id);
-  add_objections(work, standing, first);
-  const Consultation& asked = first.answer.consultation;
-  const bool by_model = asked.calls > 0 || !asked.prompt_sha256.empty();
-  if (first.objections.empty() || first.made_room || !by_model || asked.fell_back) return;
+  const bool is_asked = is_to_answer_again(work, first, standing);
+  const std::size_t lost = add_objections(work, standing, first);
+  if (!is_asked) return;
   BuildState before = work.state;
   const auto all = work.layout().objects();
   const std::vector<Object> stood(all.begin(), all.end());
   work.layout().remove(standing.id);
   auto second = second_answer(work, asset, trial, standing);
   const Object* moved = work.layout().find(standing.id);
-  if (second && moved) add_objections(work, *moved, *second);
-  const bool better = moved && second->objections.size() <= first.objections.size();
-  if (!better) {
-    if (second && moved) second->refused = "the answer before is followed more closely";
+  if (second && !moved && second->refused.empty()) {
+    second->objections = move_standing(work, second->answer.moves);
+    std::erase_if(work.state.tasks,
+                  [&](const PlacementTask& task) { return task.object.id == standing.id; });
+    trial.step.reason = left_out_as_said(second->answer.leave_out);
+  } else if (moved && add_objections(work, *moved, *second) <= lost) {
+    first.refused = "the answer after it is followed no less";
+  } else {
     arrange_as(work.layout(), stood);
     before.model_use = work.state.model_use;
     work.state = std::move(before);
+    if (second && moved) second->refused = "the answer before is followed more closely";
+    if (second) second->objections = move_standing(work, second->answer.moves);
   }
-  if (better) first.refused = "the answer after it is followed no less";
   if (second) trial.step.attempts.push_back(*std::move(second));
 }
 
 // Of a group its anchor alone: what belongs to it is a question of its own.
 void leave_out(Work& work, const std::string& why, const PlacementTask& task, Trial& trial) {
-  trial.step.reason = "the designer left it out: " + why;
+  trial.step.reason = left_out_as_said(why);
   if (begins_group(work, trial.planned)) fall_apart(work, trial.planned, task);
 }
 
