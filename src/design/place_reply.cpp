@@ -15,7 +15,7 @@ namespace roomgen::design {
 
 namespace {
 
-constexpr std::size_t max_place_repairs = 40;
+constexpr std::size_t max_place_repairs = 150;
 constexpr std::size_t max_repair = 300;      ///< bytes
 constexpr std::size_t max_reasoning = 4000;  ///< bytes
 constexpr double shortest = 0.01, longest = 50.0;  ///< metres
@@ -83,44 +83,40 @@ void read_amendments(const Json& json, PlaceAdvice& advice, ReplyNotes& notes) {
     notes.repair("the answer's size is not width, depth and height in centimetres");
 }
 
-// {"move": [{"id": "sofa-0", "location": [x, y], "facing": 90}]}
+// {"id": "sofa-0", "location": [x, y], "facing": 90}
+void read_move(const Json& one, const PlaceReplyContext& context, const TargetNames& targets,
+               PlaceAdvice& advice, ReplyNotes& notes) {
+  const Json* id = one.is_object() ? member(one, {"id", "object"}) : nullptr;
+  const Json* to = id && id->is_string() ? member(one, location_keys) : nullptr;
+  const auto frame = context.paper_frame ? MarksFrame::paper : MarksFrame::plan;
+  ReplyNotes own;
+  if (!to) own.lose("it needs an id and a location");
+  const auto location =
+      to ? read_reply_location(*to, context.scene.room.polygon, frame, own) : std::nullopt;
+  if (location) {
+    advice.moves.push_back({lower(id->get<std::string>()), *location, {}});
+    if (const Json* facing = member(one, facing_keys); facing && !facing->is_null())
+      advice.moves.back().yaw =
+          read_reply_facing(*facing, context.scene, targets, location, own).yaw;
+  }
+  if (!own.lost.empty())
+    notes.lose("the move " + json_line(one) + " was not taken as it is: " + join(own.lost, "; "));
+}
+
 void read_moves(const Json& json, const PlaceReplyContext& context, const TargetNames& targets, PlaceAdvice& advice,
                 ReplyNotes& notes) {
   constexpr std::size_t most_moves = 100;
   const Json* list = member(json, {"move", "moves"});
   if (!list || !list->is_array()) return;
-  const auto frame = context.paper_frame ? MarksFrame::paper : MarksFrame::plan;
-  for (const auto& one : *list) {
-    const Json* id = one.is_object() ? member(one, {"id", "object"}) : nullptr;
-    const bool is_named = id && id->is_string();
-    if (advice.moves.size() >= most_moves) {
-      notes.lose("only the first " + std::to_string(most_moves) + " of " +
-                 std::to_string(list->size()) + " moves were taken; give the others again");
-      return;
-    }
-    const Json* to = is_named ? member(one, location_keys) : nullptr;
-    ReplyNotes own;
-    const auto location =
-        to ? read_reply_location(*to, context.scene.room.polygon, frame, own) : std::nullopt;
-    if (location) {
-      WantedMove move{lower(id->get<std::string>()), *location, {}};
-      if (const Json* facing = member(one, facing_keys); facing && !facing->is_null())
-        move.yaw = read_reply_facing(*facing, context.scene, targets, location, own).yaw;
-      advice.moves.push_back(std::move(move));
-    } else if (!to) {
-      own.lose(is_named ? "it has no location" : "it has no id");
-    }
-    const std::string name = is_named ? id->get<std::string>() : "a thing";
-    if (!own.lost.empty()) notes.lose("the move of " + name + ": " + join(own.lost, "; "));
-  }
+  for (std::size_t i = 0; i < list->size() && i < most_moves; ++i)
+    read_move((*list)[i], context, targets, advice, notes);
+  if (list->size() > most_moves)
+    notes.lose("only the first " + std::to_string(most_moves) + " of " +
+               std::to_string(list->size()) + " moves were taken; give the others again");
 }
 
 void bound(std::vector<std::string>& repairs) {
-  if (repairs.size() > max_place_repairs) {
-    const std::size_t more = repairs.size() - max_place_repairs + 1;
-    repairs.resize(max_place_repairs - 1);
-    repairs.push_back("and " + std::to_string(more) + " more like these");
-  }
+  if (repairs.size() > max_place_repairs) repairs.resize(max_place_repairs);
   for (auto& repair : repairs) repair = shortened(std::move(repair), max_repair);
 }
 
