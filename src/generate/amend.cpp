@@ -1,6 +1,7 @@
 #include "amend.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "composition/patterns.h"
@@ -58,17 +59,13 @@ void suggest(BuildState& state, const Object& there, bool with_group) {
     }
 }
 
-// On its own top there, else on whatever is highest there; as it is where it rests on nothing.
+// On what is there about as high as it stood, as its own top; as it is where nothing carries it.
 Object resting_there(const Layout& layout, const Object& object) {
-  WantedPose wanted{object.position.head<2>(), object.yaw, {}, object.on};
-  auto rest = resting(layout, object, wanted);
-  wanted.on.clear();
-  if (!rest) rest = resting(layout, object, wanted);
-  if (!rest) return object;
-  for (auto& relation : rest->relations)
-    if (relation.kind == RelationKind::on && relation.target == object.on)
-      relation.target = rest->on;
-  return *std::move(rest);
+  const WantedPose wanted{object.position.head<2>(), object.yaw, bottom(object), {}};
+  Object rest = resting(layout, object, wanted).value_or(object);
+  for (auto& relation : rest.relations)
+    if (relation == Relation{RelationKind::on, object.on}) relation.target = rest.on;
+  return rest;
 }
 
 // Why not; empty if it was done.
@@ -95,14 +92,11 @@ std::string move_one(Work& work, const WantedMove& move) {
   return "";
 }
 
-const Relation* said(const PlaceAdvice& advice, RelationKind kind, RelationKind or_kind) {
+const Relation* said(const PlaceAdvice& advice, RelationKind kind,
+                     std::optional<RelationKind> or_kind = {}) {
   for (const auto& relation : advice.relations)
     if (relation.kind == kind || relation.kind == or_kind) return &relation;
   return nullptr;
-}
-
-const Relation* said(const PlaceAdvice& advice, RelationKind kind) {
-  return said(advice, kind, kind);
 }
 
 // What carries it on top or inside, if the answer names such a thing.

@@ -1,6 +1,5 @@
 #include "attempts.h"
 
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "amend.h"
@@ -41,21 +40,6 @@ struct Trial {
   std::optional<PlacementTask> first = {};  ///< as the first attempt had it
 };
 
-// Of this size, where it is built: by the words anew, else it is stretched.
-AssetInfo resized(const Workplace& place, AssetInfo asset, const Vec3& size) {
-  if (!asset.ref.procedural) return asset;
-  if (asset.ref.procedural->recipe == "words") {
-    AssetRef ref = asset.ref;
-    Json params = Json::parse(ref.procedural->params, nullptr, false);
-    if (params.is_object()) params["size"] = {size.x(), size.y(), size.z()};
-    ref.procedural->params = params.dump();
-    if (auto built = place.library.find(asset_key(ref))) asset.ref = ref, asset.size = built->size;
-  } else {
-    asset.size = size;
-  }
-  return asset;
-}
-
 // The asset and the task as the designer amends the plan.
 Result<AssetInfo> amended(Work& work, const PlannedObject& planned, const AssetInfo& asset, const PlaceAdvice& advice,
                           PlacementTask& task) {
@@ -64,15 +48,14 @@ Result<AssetInfo> amended(Work& work, const PlannedObject& planned, const AssetI
   if (advice.size) {
     const auto assets = assets_for(work, planned);
     if (!assets) return assets.error();
-    if (!assets->empty()) taken = resized(work.place, assets->front(), *advice.size);
+    if (!assets->empty()) taken = assets->front();
+    if (taken.ref.procedural) taken.size = *advice.size;  // what is built may be stretched
   }
   auto anew = prepare(work, planned, taken);
   if (!anew) return anew.error();
   task = *std::move(anew);
   return taken;
 }
-
-std::string left_out_as_said(const std::string& why) { return "the designer left it out: " + why; }
 
 // Whatever comes of it, the room may go on with the first answer.
 Result<Attempt> second_answer(Work& work, const AssetInfo& asset, Trial& trial,
@@ -105,22 +88,17 @@ std::size_t add_objections(const Work& work, const Object& standing, Attempt& at
   return objections.size();
 }
 
-bool is_to_answer_again(const Work& work, const Attempt& attempt, const Object& standing) {
-  const Consultation& asked = attempt.answer.consultation;
-  const bool by_model = asked.calls > 0 || !asked.prompt_sha256.empty();
-  const bool is_unmoved = attempt.objections.size() > 0;
-  return by_model && !asked.fell_back && !attempt.made_room &&
-         (is_unmoved || is_worth_asking(work.place, attempt.answer, standing));
-}
-
 // Nothing of an answer is dropped silently: a model is told once what could not be followed, and the
 // answer by which the thing itself stands better stays; what else is moved is moved by both.
 void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
   Attempt& first = trial.step.attempts.back();
   const Object standing = *work.layout().find(trial.planned.id);
-  const bool is_asked = is_to_answer_again(work, first, standing);
+  const Consultation& asked = first.answer.consultation;
+  const bool by_model = asked.calls > 0 || !asked.prompt_sha256.empty();
+  const bool is_worth_it =
+      !first.objections.empty() || is_worth_asking(work.place, first.answer, standing);
   const std::size_t lost = add_objections(work, standing, first);
-  if (!is_asked) return;
+  if (!is_worth_it || first.made_room || !by_model || asked.fell_back) return;
   BuildState before = work.state;
   const auto all = work.layout().objects();
   const std::vector<Object> stood(all.begin(), all.end());
@@ -131,7 +109,7 @@ void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
     second->objections = move_standing(work, second->answer.moves);
     std::erase_if(work.state.tasks,
                   [&](const PlacementTask& task) { return task.object.id == standing.id; });
-    trial.step.reason = left_out_as_said(second->answer.leave_out);
+    trial.step.reason = "the designer left it out: " + second->answer.leave_out;
   } else if (moved && add_objections(work, *moved, *second) <= lost) {
     first.refused = "the answer after it is followed no less";
   } else {
@@ -146,7 +124,7 @@ void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
 
 // Of a group its anchor alone: what belongs to it is a question of its own.
 void leave_out(Work& work, const std::string& why, const PlacementTask& task, Trial& trial) {
-  trial.step.reason = left_out_as_said(why);
+  trial.step.reason = "the designer left it out: " + why;
   if (begins_group(work, trial.planned)) fall_apart(work, trial.planned, task);
 }
 
@@ -158,7 +136,8 @@ bool try_asset(Work& work, const AssetInfo& offered, Trial& trial) {
   if (!advice) return trial.step.reason = advice.error().message, true;
   const auto not_moved = move_standing(work, advice->moves);
   if (!advice->leave_out.empty()) {
-    for (const auto& one : not_moved) work.place.plan.notes.push_back(one);
+    trial.step.attempts.push_back(begun(offered, *advice));
+    trial.step.attempts.back().objections = not_moved;
     return leave_out(work, advice->leave_out, *task, trial), true;
   }
   const auto asset = amended(work, trial.planned, offered, *advice, *task);

@@ -11,22 +11,16 @@ namespace roomgen {
 
 namespace {
 
-Error cannot_stand(const Object& object, const std::string& why) {
-  return {Error::Kind::not_found, object.id + " cannot stand there: " + why};
-}
-
 // The object where the host wants it.
 Result<Object> posed(const Layout& layout, Object object, const WantedPose& wanted) {
-  Pose pose{wanted.position, wanted.bottom.value_or(object.position.z()), wanted.yaw};
-  if (object.mount == Mount::surface) {
-    const auto rest = resting(layout, object, wanted);
-    if (!rest)
-      return cannot_stand(object, "nothing carries it" +
-                                      (wanted.on.empty() ? "" : " (wanted: " + wanted.on + ")"));
-    object = *rest;
-  } else {
-    object = at_pose(object, pose);
-  }
+  if (object.mount != Mount::surface)
+    object = at_pose(object, {wanted.position, wanted.bottom.value_or(object.position.z()), wanted.yaw});
+  else if (auto rest = resting(layout, object, wanted))
+    object = *std::move(rest);
+  else
+    return Error{Error::Kind::not_found,
+                 object.id + " cannot stand there: nothing carries it" +
+                     (wanted.on.empty() ? "" : " (wanted: " + wanted.on + ")")};
   object.locked = true;
   return object;
 }

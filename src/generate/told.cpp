@@ -1,6 +1,5 @@
 #include "told.h"
 
-#include <algorithm>
 #include <set>
 
 #include "composition/patterns.h"
@@ -31,21 +30,19 @@ std::string place_told(const BuildState& state, const PlacementTask& task, const
   const bool is_said_there = is_said(state, standing.id) && !is_in_row(step_of(state, standing.id));
   if (!task.location || !is_said_there) return {};
   const double away = (standing.position.head<2>() - *task.location).norm();
-  const bool is_member = group_about(state, standing.id) != nullptr;
-  return away > told_from ? " stands " + format_number(away, 2) + " m from " +
-                                (is_member ? "its place in its group" : "where you put it")
-                          : "";
+  const char* from = group_about(state, standing.id) ? "its place in its group" : "where you put it";
+  return away > told_from ? " stands " + format_number(away, 2) + " m from " + from : "";
 }
 
 // What of its last answer is not so, unless that is what it was asked about again.
 void tell_answers(const Work& work, std::vector<std::string>& told) {
   for (const auto& step : work.state.trace) {
-    if (step.attempts.empty() || !work.layout().find(step.planned.id)) continue;
+    if (step.attempts.empty()) continue;
     const Attempt& last = step.attempts.back();
-    if (!last.refused.empty() && !step.repaired)
+    if (!last.refused.empty() && !step.repaired && work.layout().find(step.planned.id))
       told.push_back("your second answer for " + step.planned.id + " was not taken: " + last.refused);
     if (!last.objections.empty())
-      told.push_back(step.planned.id + ", when you placed it: " + join(last.objections, "; "));
+      told.push_back("of your answer for " + step.planned.id + ": " + join(last.objections, "; "));
     if (const auto other = other_carrier(work.state, step, work.layout().objects()); !other.empty())
       told.push_back(step.planned.id + other);
   }
@@ -125,12 +122,10 @@ std::string other_carrier(const BuildState& state, const Step& step,
   const std::string carrier = said_of(state, step).carrier;
   if (!object || object->on.empty() || carrier.empty() || rests_on(objects, object, carrier))
     return {};
-  const auto why = std::find_if(
-      step.attempts.begin(), step.attempts.end(), [&](const Attempt& attempt) {
-        return attempt.refused.find(carrier) != std::string::npos;
-      });
-  return " stands on " + object->on + ", not on " + carrier + ": " +
-         (why == step.attempts.end() ? "that had no room for it" : why->refused);
+  std::string why = "that had no room for it";
+  for (const auto& attempt : step.attempts)
+    if (attempt.refused.find(carrier) != std::string::npos) why = attempt.refused;
+  return " stands on " + object->on + ", not on " + carrier + ": " + why;
 }
 
 std::string other_size(const Workplace& place, const BuildState& state,
