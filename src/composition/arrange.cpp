@@ -11,6 +11,7 @@ constexpr double above_target = 0.15;  ///< metres from the top of a thing to wh
 constexpr double behind_rim =
     0.03;  ///< metres from the edge of a table to what stands before a seat
 constexpr double apart = 0.02, farther = 0.06;  ///< between those at one seat
+constexpr double screen_off = 0.5;  ///< from the edge to the middle of a screen
 constexpr double far_behind = 5.0,
                  reach = 0.5;  ///< metres from a seat to the edge of its table, at most
 constexpr double longest_row = 200;
@@ -52,6 +53,8 @@ struct Instance {
   int unit = -1;           ///< of the anchor's copies the one that it is at
   bool round = false;
 };
+
+bool is_screen(const Vec3& size) { return size.z() > 0.3 && size.x() > 2.0 * size.y(); }
 
 class Arranging {
  public:
@@ -283,24 +286,29 @@ class Arranging {
   }
 
   // On the reference, before each of the seats that look at it.
+  // A screen stands farther away, behind what lies there.
   std::vector<Place> before(const Part& part, const Vec3& size, const Instance& reference) {
     std::vector<Place> found;
     const auto seats = instances_.find(part.seat);
     if (seats == instances_.end()) return found;
     const Footprint table(Vec2::Zero(), reference.size.head<2>(), 0.0, reference.round);
     // To the right of what is at that seat already, and a little farther: a glass by its plate.
-    double& taken = at_seats_[part.of + "/" + part.seat];
-    const bool is_beside = !part.shift && taken > 0.0;
+    double& taken = at_seats_[{part.of + "/" + part.seat, reference.member}];
+    const bool is_behind = !part.gap && is_screen(size);
+    const bool is_beside = !part.shift && !is_behind && taken > 0.0;
     const Vec2 off(is_beside ? -taken - 0.5 * size.x() : number(part.shift, 0.0),
                    is_beside ? farther : 0.0);
-    taken += is_beside ? size.x() + apart : 0.5 * size.x() + apart;
+    if (!is_behind) taken += is_beside ? size.x() + apart : 0.5 * size.x() + apart;
     for (const auto& seat : seats->second) {
       const Place local = within(inverse(reference.place), seat.place);
       const Vec2 ahead = rotated({0, -1}, local.yaw), aside = rotated({1, 0}, local.yaw);
       // From well behind, for who sits with the middle under the table.
       const double edge = ray_hit(table, local.position - far_behind * ahead, ahead) - far_behind;
       if (edge <= -far_behind || edge > 0.5 * seat.size.y() + reach) continue;
-      const double depth = edge + behind_rim + 0.5 * size.y() + number(part.gap, off.y());
+      const double far = far_behind - ray_hit(table, local.position + far_behind * ahead, -ahead);
+      const double depth =
+          is_behind ? std::min(edge + screen_off, far - behind_rim - 0.5 * size.y())
+                    : edge + behind_rim + 0.5 * size.y() + number(part.gap, off.y());
       found.push_back(
           {local.position + depth * ahead + off.x() * aside, wrap_angle(local.yaw + pi)});
     }
@@ -406,7 +414,8 @@ class Arranging {
   Arranged arranged_;
   std::map<std::string, std::vector<Instance>> instances_;
   std::map<std::string, std::size_t> numbers_;
-  std::map<std::string, double> at_seats_;  ///< metres, from the middle to the right
+  /// By the parts and the copy of what carries: metres, from the middle to the right.
+  std::map<std::pair<std::string, std::size_t>, double> at_seats_;
   int units_ = 0;
   std::optional<std::string> problem_;
 };

@@ -15,7 +15,7 @@ namespace roomgen::design {
 
 namespace {
 
-constexpr std::size_t max_place_repairs = 40;
+constexpr std::size_t max_place_repairs = 150;
 constexpr std::size_t max_repair = 300;      ///< bytes
 constexpr std::size_t max_reasoning = 4000;  ///< bytes
 constexpr double shortest = 0.01, longest = 50.0;  ///< metres
@@ -83,25 +83,36 @@ void read_amendments(const Json& json, PlaceAdvice& advice, ReplyNotes& notes) {
     notes.repair("the answer's size is not width, depth and height in centimetres");
 }
 
-// {"move": [{"id": "sofa-0", "location": [x, y], "facing": 90}]}
+// {"id": "sofa-0", "location": [x, y], "facing": 90}
+void read_move(const Json& one, const PlaceReplyContext& context, const TargetNames& targets,
+               PlaceAdvice& advice, ReplyNotes& notes) {
+  const Json* id = one.is_object() ? member(one, {"id", "object"}) : nullptr;
+  const Json* to = id && id->is_string() ? member(one, location_keys) : nullptr;
+  const auto frame = context.paper_frame ? MarksFrame::paper : MarksFrame::plan;
+  ReplyNotes own;
+  if (!to) own.lose("it needs an id and a location");
+  const auto location =
+      to ? read_reply_location(*to, context.scene.room.polygon, frame, own) : std::nullopt;
+  if (location) {
+    advice.moves.push_back({lower(id->get<std::string>()), *location, {}});
+    if (const Json* facing = member(one, facing_keys); facing && !facing->is_null())
+      advice.moves.back().yaw =
+          read_reply_facing(*facing, context.scene, targets, location, own).yaw;
+  }
+  if (!own.lost.empty())
+    notes.lose("the move " + json_line(one) + " was not taken as it is: " + join(own.lost, "; "));
+}
+
 void read_moves(const Json& json, const PlaceReplyContext& context, const TargetNames& targets, PlaceAdvice& advice,
                 ReplyNotes& notes) {
-  constexpr std::size_t most_moves = 20;
+  constexpr std::size_t most_moves = 100;
   const Json* list = member(json, {"move", "moves"});
   if (!list || !list->is_array()) return;
-  const auto frame = context.paper_frame ? MarksFrame::paper : MarksFrame::plan;
-  for (const auto& one : *list) {
-    const Json* id = one.is_object() ? member(one, {"id", "object"}) : nullptr;
-    const Json* to = id ? member(one, location_keys) : nullptr;
-    if (!to || !id->is_string() || advice.moves.size() >= most_moves) continue;
-    WantedMove move{lower(id->get<std::string>()), {}, {}};
-    const auto location = read_reply_location(*to, context.scene.room.polygon, frame, notes);
-    if (!location) continue;
-    move.location = *location;
-    if (const Json* facing = member(one, facing_keys); facing && !facing->is_null())
-      move.yaw = read_reply_facing(*facing, context.scene, targets, location, notes).yaw;
-    advice.moves.push_back(std::move(move));
-  }
+  for (std::size_t i = 0; i < list->size() && i < most_moves; ++i)
+    read_move((*list)[i], context, targets, advice, notes);
+  if (list->size() > most_moves)
+    notes.lose("only the first " + std::to_string(most_moves) + " of " +
+               std::to_string(list->size()) + " moves were taken; give the others again");
 }
 
 void bound(std::vector<std::string>& repairs) {
@@ -124,20 +135,25 @@ std::optional<Vec2> read_location(const Json& json, const PlaceReplyContext& con
   return std::nullopt;
 }
 
-// Furniture stands under a window when it is before it.
-std::vector<Relation> with_windows_before(const std::vector<Relation>& said,
-                                          const PlaceReplyContext& context, ReplyNotes& notes) {
+// What is on a wall has its back against that; furniture stands under a window when it is before it.
+std::vector<Relation> meant_by(const Relation& said, const PlaceReplyContext& context) {
+  if (said.kind == RelationKind::on && said.target.starts_with("wall-"))
+    return {{RelationKind::edge, ""}, {RelationKind::next_to, said.target}};
+  if (said.kind == RelationKind::under && context.object.mount == Mount::floor &&
+      find_opening(context.scene.room, said.target))
+    return {{RelationKind::near, said.target}, {RelationKind::in_front_of, said.target}};
+  return {};
+}
+
+std::vector<Relation> as_meant(const std::vector<Relation>& said, const PlaceReplyContext& context,
+                               ReplyNotes& notes) {
   std::vector<Relation> relations;
   for (const auto& relation : said) {
-    const bool before = relation.kind == RelationKind::under &&
-                        context.object.mount == Mount::floor &&
-                        find_opening(context.scene.room, relation.target);
-    if (!before) {
+    const auto meant = meant_by(relation, context);
+    if (meant.empty()) {
       relations.push_back(relation);
       continue;
     }
-    const std::vector<Relation> meant = {{RelationKind::near, relation.target},
-                                         {RelationKind::in_front_of, relation.target}};
     notes.repair("\"" + to_text(relation) + "\" was read as \"" + to_text(meant) + "\"");
     for (const auto& one : meant)
       if (std::find(said.begin(), said.end(), one) == said.end()) relations.push_back(one);
@@ -182,8 +198,8 @@ Result<PlaceReply> read_place_reply(std::string_view text, const PlaceReplyConte
   const TargetNames targets(context.scene, context.object, KindTable::built_in());
 
   if (const Json* constraints = member(json, constraint_keys))
-    advice.relations = with_windows_before(
-        read_reply_relations(*constraints, targets, notes), context, notes);
+    advice.relations =
+        as_meant(read_reply_relations(*constraints, targets, notes), context, notes);
   advice.location = read_location(json, context, notes);
   if (const Json* facing = member(json, facing_keys); facing && !facing->is_null()) {
     const auto read =

@@ -1,10 +1,12 @@
 #include "amend.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 
 #include "composition/patterns.h"
 #include "fits_as_it_is.h"
+#include "builder_steps.h"
 #include "ready.h"
 
 namespace roomgen {
@@ -50,9 +52,20 @@ void suggest(BuildState& state, const Object& there, bool with_group) {
       group.posts.erase(there.id);
   for (auto& task : state.tasks)
     if (task.object.id == there.id && task.location) {
+      if (task.object.on != there.on) task.object.relations = there.relations;
+      task.object.on = there.on;
       task.location = there.position.head<2>();
       if (task.facing) task.facing = there.yaw;
     }
+}
+
+// On what is there about as high as it stood, as its own top; as it is where nothing carries it.
+Object resting_there(const Layout& layout, const Object& object) {
+  const WantedPose wanted{object.position.head<2>(), object.yaw, bottom(object), {}};
+  Object rest = resting(layout, object, wanted).value_or(object);
+  for (auto& relation : rest.relations)
+    if (relation == Relation{RelationKind::on, object.on}) relation.target = rest.on;
+  return rest;
 }
 
 // Why not; empty if it was done.
@@ -67,6 +80,7 @@ std::string move_one(Work& work, const WantedMove& move) {
   for (auto object = together.rbegin(); object != together.rend(); ++object) layout.remove(object->id);
   for (const auto& object : together) {
     Object there = carried(object, thing, move);
+    if (object.id == thing.id && thing.mount == Mount::surface) there = resting_there(layout, there);
     if (const auto status = fits_as_it_is(layout, there); !status) {
       arrange_as(layout, before);
       return move.object + " was not moved: " + status.error().message;
@@ -78,14 +92,11 @@ std::string move_one(Work& work, const WantedMove& move) {
   return "";
 }
 
-const Relation* said(const PlaceAdvice& advice, RelationKind kind, RelationKind or_kind) {
+const Relation* said(const PlaceAdvice& advice, RelationKind kind,
+                     std::optional<RelationKind> or_kind = {}) {
   for (const auto& relation : advice.relations)
     if (relation.kind == kind || relation.kind == or_kind) return &relation;
   return nullptr;
-}
-
-const Relation* said(const PlaceAdvice& advice, RelationKind kind) {
-  return said(advice, kind, kind);
 }
 
 // What carries it on top or inside, if the answer names such a thing.
@@ -163,8 +174,16 @@ bool amend(Work& work, const PlannedObject& planned, const PlaceAdvice& advice) 
 
 std::vector<std::string> move_standing(Work& work, const std::vector<WantedMove>& moves) {
   std::vector<std::string> undone;
-  for (const auto& move : moves)
-    if (std::string why = move_one(work, move); !why.empty()) undone.push_back(std::move(why));
+  std::vector<WantedMove> left = moves;
+  for (std::size_t before = left.size() + 1; left.size() < before;) {  // what was in the way may be gone
+    before = left.size();
+    undone.clear();
+    std::erase_if(left, [&](const WantedMove& move) {
+      std::string why = move_one(work, move);
+      if (!why.empty()) undone.push_back(why);
+      return why.empty();
+    });
+  }
   return undone;
 }
 

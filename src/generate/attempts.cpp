@@ -50,6 +50,7 @@ Result<AssetInfo> amended(Work& work, const PlannedObject& planned, const AssetI
     const auto assets = assets_for(work, planned);
     if (!assets) return assets.error();
     if (!assets->empty()) taken = assets->front();
+    if (taken.ref.procedural) taken.size = *advice.size;  // what is built may be stretched
   }
   auto anew = prepare(work, planned, taken);
   if (!anew) return anew.error();
@@ -71,6 +72,7 @@ Result<Attempt> second_answer(Work& work, const AssetInfo& asset, Trial& trial,
   if (!advice) return advice.error();
   if (advice->consultation.fell_back)
     return Error{Error::Kind::invalid_input, "the model had no second answer"};
+  if (!advice->leave_out.empty() && !work.role_of(trial.planned.id)) return begun(asset, *advice);
   const auto not_moved = move_standing(work, advice->moves);
   const auto taken = amended(work, trial.planned, asset, *advice, *task);
   if (!taken) return taken.error();
@@ -80,9 +82,11 @@ Result<Attempt> second_answer(Work& work, const AssetInfo& asset, Trial& trial,
   return attempt;
 }
 
-void add_objections(const Work& work, const Object& standing, Attempt& attempt) {
-  for (auto& one : objections_to(work.place, attempt.answer, standing))
-    attempt.objections.push_back(std::move(one));
+// How many they are.
+std::size_t add_objections(const Work& work, const Object& standing, Attempt& attempt) {
+  const auto objections = objections_to(work.place, attempt.answer, standing);
+  attempt.objections.insert(attempt.objections.end(), objections.begin(), objections.end());
+  return objections.size();
 }
 
 // Who is asked again where a thing shall go that stands elsewhere learns what was in the way.
@@ -101,14 +105,16 @@ void explain(Work& work, const AssetInfo& asset, Trial& trial, const Object& sta
 }
 
 // Nothing of an answer is dropped silently: a model is told once what could not be followed, and the
-// answer that is followed better stays.
+// answer by which the thing itself stands better stays; what else is moved is moved by both.
 void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
   Attempt& first = trial.step.attempts.back();
   const Object standing = *work.layout().find(trial.planned.id);
-  add_objections(work, standing, first);
   const Consultation& asked = first.answer.consultation;
   const bool by_model = asked.calls > 0 || !asked.prompt_sha256.empty();
-  if (first.objections.empty() || first.made_room || !by_model || asked.fell_back) return;
+  const bool is_worth_it =
+      !first.objections.empty() || is_worth_asking(work.place, first.answer, standing);
+  const std::size_t lost = add_objections(work, standing, first);
+  if (!is_worth_it || first.made_room || !by_model || asked.fell_back) return;
   BuildState before = work.state;
   const auto all = work.layout().objects();
   const std::vector<Object> stood(all.begin(), all.end());
@@ -117,15 +123,20 @@ void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
   explain(work, asset, trial, standing);
   auto second = second_answer(work, asset, trial, standing);
   const Object* moved = work.layout().find(standing.id);
-  if (second && moved) add_objections(work, *moved, *second);
-  const bool better = moved && second->objections.size() <= first.objections.size();
-  if (!better) {
-    if (second && moved) second->refused = "the answer before is followed more closely";
+  if (second && !moved && second->refused.empty()) {
+    second->objections = move_standing(work, second->answer.moves);
+    std::erase_if(work.state.tasks,
+                  [&](const PlacementTask& task) { return task.object.id == standing.id; });
+    trial.step.reason = "the designer left it out: " + second->answer.leave_out;
+  } else if (moved && add_objections(work, *moved, *second) <= lost) {
+    first.refused = "the answer after it is followed no less";
+  } else {
     arrange_as(work.layout(), stood);
     before.model_use = work.state.model_use;
     work.state = std::move(before);
+    if (second && moved) second->refused = "the answer before is followed more closely";
+    if (second) second->objections = move_standing(work, second->answer.moves);
   }
-  if (better) first.refused = "the answer after it is followed no less";
   if (second) trial.step.attempts.push_back(*std::move(second));
 }
 
@@ -143,7 +154,8 @@ bool try_asset(Work& work, const AssetInfo& offered, Trial& trial) {
   if (!advice) return trial.step.reason = advice.error().message, true;
   const auto not_moved = move_standing(work, advice->moves);
   if (!advice->leave_out.empty()) {
-    for (const auto& one : not_moved) work.place.plan.notes.push_back(one);
+    trial.step.attempts.push_back(begun(offered, *advice));
+    trial.step.attempts.back().objections = not_moved;
     return leave_out(work, advice->leave_out, *task, trial), true;
   }
   const auto asset = amended(work, trial.planned, offered, *advice, *task);

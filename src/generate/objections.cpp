@@ -58,4 +58,16 @@ std::vector<std::string> objections_to(const Workplace& place, const PlaceAdvice
   return objections;
 }
 
+bool is_worth_asking(const Workplace& place, const PlaceAdvice& answer, const Object& standing) {
+  constexpr double just_there = 0.05;
+  auto objections = objections_to(place, answer, standing);
+  const Vec2 at = standing.position.head<2>();
+  if (answer.location && (at - *answer.location).norm() <= just_there) {
+    Object said = standing;
+    said.position.head<2>() = *answer.location;
+    for (const auto& lost : lost_constraints(place, answer, said)) std::erase(objections, lost);
+  }
+  return !objections.empty();
+}
+
 }  // namespace roomgen

@@ -89,35 +89,6 @@ void tell_differences(const Workplace& place, const BuildState& state, Generatio
 // A place that a model, a person or an edit gave; what stands in rows has one by the plan.
 bool is_of_somebody(const PlacementTask& task) { return task.binding && !task.usual; }
 
-/// Where a thing was said to stand.
-struct Said {
-  std::optional<Vec2> location;
-  std::string carrier;
-};
-
-// By its group, else by the first answer: a plan repeats itself, and a model is told what it lost.
-Said said_of(const BuildState& state, const Step& step) {
-  for (const auto& group : state.groups)
-    if (const auto post = group.posts.find(step.planned.id); post != group.posts.end()) {
-      const Object& anchor = group.anchor.object;  // where it was put
-      const composition::Place frame{anchor.position.head<2>(), anchor.yaw};
-      Said said{composition::within(frame, post->second.place).position, post->second.carrier};
-      if (post->second.spread) said.location.reset();
-      return said;
-    }
-  if (step.attempts.empty() || step.attempts.front().answer.consultation.calls > 0) return {};
-  Said said{step.attempts.front().answer.location, {}};
-  if (is_in_row(&step)) said.location.reset();
-  for (const auto& relation : step.attempts.front().answer.relations)
-    if (relation.kind == RelationKind::on) said.carrier = relation.target;
-  return said;
-}
-
-bool rests_on(const BuildState& state, const Object* object, const std::string& carrier) {
-  while (object && object->on != carrier) object = find_object(state.objects, object->on);
-  return object != nullptr;
-}
-
 // What stands elsewhere than it was said, in the end.
 void tell_what_stands_elsewhere(const BuildState& state, const std::set<std::string>& moved,
                                 Generation& result) {
@@ -128,9 +99,8 @@ void tell_what_stands_elsewhere(const BuildState& state, const std::set<std::str
     const Said said = said_of(state, step);
     const double away =
         said.location ? (object->position.head<2>() - *said.location).norm() : 0.0;
-    if (!said.carrier.empty() && !rests_on(state, object, said.carrier))
-      result.notes.push_back(object->id + " stands on " + object->on +
-                             ", for it found no room on " + said.carrier);
+    if (const auto other = other_carrier(state, step, state.objects); !other.empty())
+      result.notes.push_back(object->id + other);
     else if (away > elsewhere && !moved.count(object->id))
       result.notes.push_back(object->id + " stands " + format_number(away, 2) +
                              " m from its place");

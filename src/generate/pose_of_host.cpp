@@ -11,18 +11,24 @@ namespace roomgen {
 
 namespace {
 
-Error cannot_stand(const Object& object, const std::string& why) {
-  return {Error::Kind::not_found, object.id + " cannot stand there: " + why};
+// The object where the host wants it.
+Result<Object> posed(const Layout& layout, Object object, const WantedPose& wanted) {
+  if (object.mount != Mount::surface)
+    object = at_pose(object, {wanted.position, wanted.bottom.value_or(object.position.z()), wanted.yaw});
+  else if (auto rest = resting(layout, object, wanted))
+    object = *std::move(rest);
+  else
+    return Error{Error::Kind::not_found,
+                 object.id + " cannot stand there: nothing carries it" +
+                     (wanted.on.empty() ? "" : " (wanted: " + wanted.on + ")")};
+  object.locked = true;
+  return object;
 }
 
-// The highest place at which the object rests on another one, below `most`.
-struct RestingPlace {
-  Pose pose;
-  std::string on;
-};
+}  // namespace
 
-std::optional<RestingPlace> find_rest(const Layout& layout, const Object& object, const WantedPose& wanted) {
-  std::optional<RestingPlace> best;
+std::optional<Object> resting(const Layout& layout, Object object, const WantedPose& wanted) {
+  std::optional<Pose> best;
   for (const auto& support : layout.objects()) {
     if (!wanted.on.empty() && support.id != wanted.on) continue;
     const Footprint below = footprint(support);
@@ -35,28 +41,12 @@ std::optional<RestingPlace> find_rest(const Layout& layout, const Object& object
       const auto far = [&](const Pose& one) {
         return wanted.bottom ? std::abs(one.bottom - *wanted.bottom) : -one.bottom;
       };
-      if (!best || far(pose) < far(best->pose)) best = RestingPlace{pose, support.id};
+      if (!best || far(pose) < far(*best)) best = pose, object.on = support.id;
     }
   }
-  return best;
+  if (!best) return std::nullopt;
+  return at_pose(object, *best);
 }
-
-// The object where the host wants it.
-Result<Object> posed(const Layout& layout, Object object, const WantedPose& wanted) {
-  Pose pose{wanted.position, wanted.bottom.value_or(object.position.z()), wanted.yaw};
-  if (object.mount == Mount::surface) {
-    const auto rest = find_rest(layout, object, wanted);
-    if (!rest)
-      return cannot_stand(object, "nothing carries it" +
-                                      (wanted.on.empty() ? "" : " (wanted: " + wanted.on + ")"));
-    pose = rest->pose;
-    object.on = rest->on;
-  }
-  object.locked = true;
-  return at_pose(object, pose);
-}
-
-}  // namespace
 
 Status put_at(Work& work, const PlannedObject& planned, const WantedPose& pose, Step& step) {
   const auto asset = asset_for(work, planned);

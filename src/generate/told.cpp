@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "composition/patterns.h"
 #include "design/scene_text.h"
 #include "library/asset_object.h"
 #include "roomgen/base/text.h"
@@ -19,11 +20,37 @@ bool is_off(const Vec3& have, const Vec3& wanted) {
   return far_off_side(have, unusual, wanted, off_said).has_value();
 }
 
+const StandingGroup* group_about(const BuildState& state, const std::string& id) {
+  for (const auto& group : state.groups)
+    if (group.posts.count(id) > 0 && group.anchor.object.id != id) return &group;
+  return nullptr;
+}
+
 std::string place_told(const BuildState& state, const PlacementTask& task, const Object& standing) {
   const bool is_said_there = is_said(state, standing.id) && !is_in_row(step_of(state, standing.id));
   if (!task.location || !is_said_there) return {};
   const double away = (standing.position.head<2>() - *task.location).norm();
-  return away > told_from ? " stands " + format_number(away, 2) + " m from where you put it" : "";
+  const char* from = group_about(state, standing.id) ? "its place in its group" : "where you put it";
+  return away > told_from ? " stands " + format_number(away, 2) + " m from " + from : "";
+}
+
+// What of its last answer is not so, unless that is what it was asked about again.
+void tell_answers(const Work& work, std::vector<std::string>& told) {
+  for (const auto& step : work.state.trace) {
+    if (step.attempts.empty()) continue;
+    const Attempt& last = step.attempts.back();
+    if (!last.refused.empty() && !step.repaired && work.layout().find(step.planned.id))
+      told.push_back("your second answer for " + step.planned.id + " was not taken: " + last.refused);
+    if (!last.objections.empty())
+      told.push_back("of your answer for " + step.planned.id + ": " + join(last.objections, "; "));
+    if (const auto other = other_carrier(work.state, step, work.layout().objects()); !other.empty())
+      told.push_back(step.planned.id + other);
+  }
+}
+
+bool rests_on(std::span<const Object> objects, const Object* object, const std::string& carrier) {
+  while (object && object->on != carrier) object = find_object(objects, object->on);
+  return object != nullptr;
 }
 
 void tell_places(const Work& work, std::vector<std::string>& told) {
@@ -66,11 +93,39 @@ bool is_in_row(const Step* step) {
 }
 
 bool is_said(const BuildState& state, const std::string& id, const Step* now) {
-  for (const auto& group : state.groups)
-    if (group.posts.count(id) > 0 && group.anchor.object.id != id)
-      return is_said(state, group.anchor.object.id, now);
+  if (const StandingGroup* group = group_about(state, id))
+    return is_said(state, group->anchor.object.id, now);
   const Step* step = now && now->planned.id == id ? now : step_of(state, id);
   return step && !step->attempts.empty() && !step->attempts.back().answer.usual;
+}
+
+Said said_of(const BuildState& state, const Step& step) {
+  for (const auto& group : state.groups)
+    if (const auto post = group.posts.find(step.planned.id); post != group.posts.end()) {
+      const Object& anchor = group.anchor.object;  // where it was put
+      const composition::Place frame{anchor.position.head<2>(), anchor.yaw};
+      Said said{composition::within(frame, post->second.place).position, post->second.carrier};
+      if (post->second.spread) said.location.reset();
+      return said;
+    }
+  if (step.attempts.empty() || step.attempts.front().answer.consultation.calls > 0) return {};
+  Said said{step.attempts.front().answer.location, {}};
+  if (is_in_row(&step)) said.location.reset();
+  for (const auto& relation : step.attempts.front().answer.relations)
+    if (relation.kind == RelationKind::on) said.carrier = relation.target;
+  return said;
+}
+
+std::string other_carrier(const BuildState& state, const Step& step,
+                          std::span<const Object> objects) {
+  const Object* object = find_object(objects, step.planned.id);
+  const std::string carrier = said_of(state, step).carrier;
+  if (!object || object->on.empty() || carrier.empty() || rests_on(objects, object, carrier))
+    return {};
+  std::string why = "that had no room for it";
+  for (const auto& attempt : step.attempts)
+    if (attempt.refused.find(carrier) != std::string::npos) why = attempt.refused;
+  return " stands on " + object->on + ", not on " + carrier + ": " + why;
 }
 
 std::string other_size(const Workplace& place, const BuildState& state,
@@ -102,6 +157,7 @@ std::vector<std::string> told_of(const Work& work) {
   for (const auto& step : work.state.trace)
     if (!step.reason.empty() && !work.layout().find(step.planned.id))
       told.push_back(step.planned.id + " is not there: " + step.reason);
+  tell_answers(work, told);
   tell_places(work, told);
   tell_sizes(work, told);
   return told;

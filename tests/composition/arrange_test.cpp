@@ -127,6 +127,31 @@ TEST_CASE("Rows, arcs and things beside others stand where they are said to") {
   CHECK(other.members[1].place.position.isApprox(Vec2(-1.05, 0.85)));
 }
 
+TEST_CASE("What is before a sitter is before each one's own desk, a screen behind a keyboard") {
+  const auto desks = arranged(R"({"parts": [
+      {"part": "desk", "kind": "desk", "size": [1.4, 0.75, 0.72],
+       "repeat": {"rows": 1, "columns": 4, "across": 1.45}},
+      {"part": "chair", "kind": "office chair", "size": [0.6, 0.6, 1], "beside": "desk", "side": "front",
+       "count": 1, "gap": -0.2, "facing": "to"},
+      {"part": "monitor", "kind": "monitor", "size": [0.54, 0.18, 0.44], "on": "desk", "before": "chair"},
+      {"part": "keyboard", "kind": "keyboard", "size": [0.44, 0.14, 0.03], "on": "desk", "before": "chair"}]})");
+  REQUIRE(desks);
+  const auto carriers = of_part(*desks, "desk"), monitors = of_part(*desks, "monitor"),
+             keyboards = of_part(*desks, "keyboard");
+  REQUIRE(monitors.size() == 4);
+  REQUIRE(keyboards.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec2 desk = carriers[i]->place.position, screen = monitors[i]->place.position - desk,
+               keys = keyboards[i]->place.position - desk;
+    CHECK(&desks->members[monitors[i]->on] == carriers[i]);
+    CHECK(&desks->members[keyboards[i]->on] == carriers[i]);
+    CHECK(std::abs(screen.x()) < 1e-6);
+    CHECK(std::abs(keys.x()) < 1e-6);
+    CHECK(screen.y() - 0.09 > keys.y() + 0.07);  // apart, whoever sits at the front
+    CHECK(screen.y() + 0.09 <= 0.375);
+  }
+}
+
 TEST_CASE("A block falls into its units, each in the frame of its own anchor") {
   const auto block = arranged(R"({"parts": [{"part": "unit", "group": "desk with chair",
       "repeat": {"rows": 2, "columns": 2, "number": 4, "across": 2.0, "along": 2.0}}]})");

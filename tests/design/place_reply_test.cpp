@@ -354,5 +354,25 @@ TEST_CASE("A wall that things stand against and a window that they stand under a
     return to_text(reply->advice.relations);
   };
   CHECK(relations("against, wall-3") == "edge | next to, wall-3");
+  CHECK(relations("on, wall-3 | near, bed-0") == "edge | next to, wall-3 | near, bed-0");
   CHECK(relations("under, window-0") == "near, window-0 | in front of, window-0");
+}
+
+TEST_CASE("A hundred moves are taken, and what is not taken is told with its reason") {
+  const Scene scene = furnished();
+  const PlaceReplyContext context{scene, nightstand};
+  Json moves = {{{"id", "bed-0"}}, {{"location", {1, 1}}}, {{"id", "bed-0"}, {"location", "there"}}};
+  for (int i = 0; i < 130; ++i)
+    moves.push_back({{"id", "cup-" + std::to_string(i)}, {"location", {2.0, 2.0}}, {"facing", 90}});
+  const Json answer = {{"constraints", "edge"}, {"location", {2, 2}}, {"move", moves}};
+  const auto reply = read_place_reply(answer.dump(), context);
+  REQUIRE(reply);
+  CHECK(reply->advice.moves.size() == 97);
+  CHECK(reply->advice.moves.front().object == "cup-0");
+  const auto& lost = reply->advice.lost;
+  REQUIRE(lost.size() == 4);
+  CHECK(contains_text(lost[0], "needs an id and a location"));
+  CHECK(contains_text(lost[1], "needs an id and a location"));
+  CHECK(contains_text(lost[2], "the location is not two numbers"));
+  CHECK(contains_text(lost[3], "only the first 100 of 133 moves"));
 }

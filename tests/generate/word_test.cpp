@@ -189,7 +189,7 @@ TEST_CASE("What could not be followed is asked about once more, and the better a
   int answers = 0;
   Speaker designer([&](const PlaceRequest& request) {
     if (request.object.id == "sofa-0") return said("edge", {2.0, 3.7}, 0);
-    if (answers++ == 0) return said("behind, sofa-0", {3.9, 3.2}, 0);
+    if (answers++ == 0) return said("behind, sofa-0", {3.9, 4.15}, 0);  // too near to the wall
     return said("near, sofa-0", {3.9, 3.2}, 0);
   });
   const auto room =
@@ -300,4 +300,145 @@ TEST_CASE("A size that came out otherwise than a designer asked is told in the n
     }
   }
   CHECK(others > 0);
+}
+
+namespace {
+
+bool says(const std::vector<std::string>& texts, const std::string& part) {
+  return std::any_of(texts.begin(), texts.end(),
+                     [&](const std::string& text) { return contains_text(text, part); });
+}
+
+}  // namespace
+
+TEST_CASE("What the said place itself breaks is told in the next question, not asked again") {
+  for (const double away : {0.0, 1.55}) {  // at the said place; where a wall is, so that it stands elsewhere
+    std::vector<std::string> told;
+    Speaker designer([&](const PlaceRequest& request) {
+      for (const auto& one : request.elsewhere()) told.push_back(one);
+      if (request.object.id == "sofa-0") return said("edge", {2.0, 3.7}, 0);
+      if (request.object.id == "table-0") return said("middle", {1.0, 1.8}, 0);
+      return said("next to, sofa-0", {3.0 + away, 1.0}, 0);
+    });
+    const auto room = furnished(
+        plan_of({item("sofa"), item("stool"), item("table")}, room_with_door(4.6, 4.2)), designer);
+    const auto asked = std::count(designer.asked.begin(), designer.asked.end(), "stool-0");
+    const bool is_there = off(object(room, "stool-0"), {3.0 + away, 1.0}) < 0.05;
+    CHECK(asked == (is_there ? 1 : 2));
+    CHECK(is_there == (away == 0.0));
+    const bool is_told = says(told, "\"next to, sofa-0\" does not hold");
+    if (is_there) CHECK(is_told);
+  }
+}
+
+TEST_CASE("Moves hold whichever of two answers does, and make way for each other") {
+  std::vector<std::string> told;
+  const Vec2 first(1.0, 2.2), second(2.6, 2.2);
+  Speaker designer([&](const PlaceRequest& request) {
+    for (const auto& one : request.elsewhere()) told.push_back(one);
+    const std::string& id = request.object.id;
+    if (id == "stool-0") return said("", first, 0);
+    if (id == "stool-1") return said("", second, 0);
+    if (id == "stool-2") return said("", {3.8, 3.6}, 0);
+    if (request.objections.empty()) {
+      PlaceAdvice advice = said("", {3.8, 2.2}, 0);
+      advice.moves = {{"stool-9", {1.0, 1.0}, {}}};
+      return advice;
+    }
+    PlaceAdvice advice = said("far, stool-2 | next to, stool-2", {1.0, 3.6}, 180);  // followed less than before
+    advice.moves = {{"stool-0", second, {}}, {"stool-1", {2.6, 3.2}, {}}, {"stool-8", {1.0, 1.0}, {}}};
+    return advice;
+  });
+  const auto room = furnished(plan_of({item("stool", Mount::floor, 3), item("armchair"), item("plant")},
+                                      room_with_door(4.6, 4.2)),
+                              designer);
+  CHECK(off(object(room, "armchair-0"), {3.8, 2.2}) < 0.05);
+  CHECK(off(object(room, "stool-0"), second) < 0.05);
+  CHECK(off(object(room, "stool-1"), {2.6, 3.2}) < 0.05);
+  CHECK(says(told, "stool-8 does not stand"));
+  CHECK(says(told, "your second answer for armchair-0 was not taken"));
+}
+
+TEST_CASE("A second answer may leave a thing out") {
+  Speaker designer([&](const PlaceRequest& request) {
+    if (request.object.id == "sofa-0") return said("edge", {2.0, 3.7}, 0);
+    PlaceAdvice advice = said("behind, sofa-0", {2.0, 4.1}, 0);
+    if (!request.objections.empty()) advice.leave_out = "no room behind the sofa";
+    return advice;
+  });
+  const auto room =
+      furnished(plan_of({item("sofa"), item("stool")}, room_with_door(4.6, 4.2)), designer);
+  CHECK_FALSE(find_object(room.scene, "stool-0"));
+  REQUIRE(room.scene.unplaced.size() == 1);
+  CHECK(contains_text(room.scene.unplaced[0].reason, "no room behind the sofa"));
+}
+
+TEST_CASE("What is moved on a top rests there at its height, and on another top at that one's") {
+  PlanItem table = item("table"), low = item("coffee table"), vase = item("vase", Mount::surface);
+  vase.on = "table-0";
+  Vec2 to(2.6, 3.0);
+  for (const bool elsewhere : {false, true}) {
+    if (elsewhere) to = {1.0, 1.6};
+    Speaker designer([&](const PlaceRequest& request) {
+      const std::string& id = request.object.id;
+      if (id == "table-0") return said("", {2.3, 3.0}, 0);
+      if (id == "coffee table-0") return said("", {1.0, 1.6}, 0);
+      if (id == "vase-0") return said("on, table-0", {2.1, 3.0}, 0);
+      PlaceAdvice advice = said("", {4.0, 1.0}, 0);
+      advice.moves = {{"vase-0", to, {}}};
+      return advice;
+    });
+    const auto room =
+        furnished(plan_of({table, low, vase, item("picture", Mount::wall)}, room_with_door(4.6, 4.2)), designer);
+    const Object& moved = object(room, "vase-0");
+    const Object& below = object(room, elsewhere ? "coffee table-0" : "table-0");
+    CHECK(off(moved, to) < 0.03);
+    CHECK(moved.on == below.id);
+    CHECK(bottom(moved) == Approx(top(below)).margin(0.01));
+  }
+}
+
+TEST_CASE("The size that an answer gives holds for what is built") {
+  PlanItem shelf = item("wall shelf", Mount::wall);
+  shelf.size = Vec3(0.9, 0.22, 0.05);
+  const auto library = create::make_created_library();
+  AssetQuery query;
+  query.category = shelf.category, query.size = *shelf.size, query.mount = Mount::wall;
+  query.sized = true;
+  const auto matches = library->search(query);
+  REQUIRE(matches);
+  REQUIRE_FALSE(matches->empty());
+  shelf.asset = asset_key(matches->front().asset.ref);
+  Speaker designer([](const PlaceRequest&) {
+    PlaceAdvice advice = said("edge", {2.0, 4.1}, 0);
+    advice.size = Vec3(0.75, 0.22, 0.05);
+    return advice;
+  });
+  const auto room = furnished(plan_of({shelf}, room_with_door(4.6, 4.2)), designer, {}, *library);
+  CHECK(object(room, "wall shelf-0").size.x() == Approx(0.75).margin(0.01));
+}
+
+TEST_CASE("What went to another carrier is told in the next question, with the reason") {
+  PlanItem table = item("table"), low = item("stool"), lamp = item("table lamp", Mount::surface);
+  table.part = "table", low.part = "stand", lamp.part = "lamp";
+  low.size = Vec3(0.3, 0.3, 0.5), lamp.size = Vec3(0.25, 0.25, 0.4);
+  lamp.quantity = 0;
+  for (PlanItem* one : {&table, &low, &lamp}) one->group = "lamps", one->asked = true;
+  Plan plan = plan_of({table, low, lamp}, room_with_door(4.6, 4.2));
+  PlanGroup group;
+  group.id = "lamps";
+  group.definition = R"({"parts": [{"part": "table", "kind": "table"},
+      {"part": "stand", "kind": "stool", "beside": "table", "side": "left", "gap": 0.3},
+      {"part": "lamp", "kind": "table lamp", "on": "stand", "repeat": {"columns": 4, "across": 0.05}}]})";
+  group.asked = true;
+  plan.groups = {group};
+  std::vector<std::string> told;
+  Speaker designer([&](const PlaceRequest& request) {
+    for (const auto& one : request.elsewhere()) told.push_back(one);
+    if (request.object.id == "table-0") return said("", {2.3, 2.6}, 0);
+    return said("on, table-0", {2.3, 2.6}, 0);
+  });
+  const auto room = furnished(plan, designer);
+  for (const auto& one : told) UNSCOPED_INFO(one);
+  CHECK(says(told, " stands on table-0, not on stool-0: no place for table lamp"));
 }
