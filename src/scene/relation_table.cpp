@@ -102,7 +102,10 @@ Judgement judge_in_part(const RelationCase& one) {
 }
 
 double gap_of(const RelationCase& one) {
-  return gap(one.own(), one.target);
+  if (!one.relation.at_back) return gap(one.own(), one.target);
+  const Vec2 back = one.own().to_world({0.0, one.own().half().y()});
+  const double distance = gap(one.target, back);
+  return distance <= edge_gap + rounding ? 0.0 : near_gap + distance;
 }
 
 double outside(double value, double low, double high) {
@@ -271,10 +274,21 @@ Judgement judge_under(const RelationCase& one) {
   return judge_over(one.subject.top <= top + rounding, one.own(), one.target);
 }
 
+// Its top under the target, or within its height as on a rail's hooks. What reaches up to the
+// ceiling hangs there itself, and carries by its underside.
 Judgement judge_hanging(const RelationCase& one) {
-  const bool hangs = std::abs(one.subject.top - one.room.height) < at_ceiling ||
-                     std::abs(one.subject.top - one.relation.target_bottom) < at_ceiling;
-  return {hangs || judge_edge(one).held, 1.0};
+  constexpr double beside = 0.15;
+  const double ceiling = one.room.height, top = one.subject.top;
+  const double low = one.relation.target_bottom, high = one.relation.target_top;
+  const bool is_thing = low > 0.0 || high < ceiling;
+  if (!is_thing)
+    return {judge_edge(one).held ? !one.relation.at_back || gap_of(one) <= edge_gap
+                                 : std::abs(top - ceiling) < at_ceiling,
+            1.0};
+  const double aside = gap_of(one);
+  const double off = outside(top, low, high > ceiling - at_ceiling ? low : high);
+  const bool held = !one.relation.stands && aside <= beside + rounding && off < at_ceiling;
+  return {held, held ? 1.0 : 0.7 * clamp01(1.0 - aside - off)};
 }
 
 using Relate = RelationKind;

@@ -78,6 +78,18 @@ std::vector<Footprint> targets_of(const Relation& relation, const Room& room,
   return {};
 }
 
+bool is_wall(const Relation& relation, std::span<const Object> placed) {
+  return relation.target.starts_with("wall") && !find_object(placed, relation.target);
+}
+
+// What hangs on a wall is near that wall, not near one round the corner.
+bool means_wall_at_back(const Object& object, const Relation& relation,
+                        std::span<const Object> placed) {
+  const bool is_near = relation.kind == RelationKind::near || relation.kind == RelationKind::next_to;
+  return is_wall(relation, placed) && (relation.kind == RelationKind::hang_from ||
+                                       (is_near && object.mount == Mount::wall));
+}
+
 // Of what is between two: that with which the relation is said the other time.
 std::optional<Footprint> other_end(const Object& object, const Relation& relation,
                                    const Room& room, std::span<const Object> placed) {
@@ -129,12 +141,17 @@ std::vector<ResolvedRelation> resolve(const Object& object, const Room& room,
     if (relation.kind == RelationKind::used_facing) resolved.turn = turn_of(own.faces);
     resolved.targets = targets_of(relation, room, placed);
     resolved.is_of_nearest_wall = relation.target == nearest_wall;
+    resolved.stands = object.mount == Mount::floor || object.mount == Mount::surface;
+    resolved.at_back = means_wall_at_back(object, relation, placed);
     if (relation.kind == RelationKind::between)
       resolved.other = other_end(object, relation, room, placed);
     if (const Object* target = find_object(placed, relation.target)) {
       resolved.target_bottom = bottom(*target);
       resolved.target_top = top(*target);
       set_preferred_gap(resolved, own, categories.get(target->category));
+      // What hangs is "on the line" as it hangs from it.
+      if (relation.kind == RelationKind::on && object.mount == Mount::ceiling)
+        resolved.kind = RelationKind::hang_from;
     }
     if (const auto gap = gap_told(object, relation.target)) resolved.gap_low = gap->least, resolved.gap_high = gap->most;
     result.push_back(std::move(resolved));

@@ -26,6 +26,8 @@ struct ResolvedRelation {
   double least_gap = 0.0;  ///< from which `near` holds
   double turn = 0.0;  ///< of `used_facing`: from its front to where its user looks, radians
   bool is_of_nearest_wall = false;  ///< a gap: to whichever wall is nearest
+  bool at_back = false;  ///< the target is a wall, at which the object hangs or is to hang
+  bool stands = false;   ///< the object stands on something, and hangs from nothing
 };
 
 /// Looks up the targets of an object's relations among the placed objects and the parts of the

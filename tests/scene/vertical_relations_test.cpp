@@ -57,14 +57,42 @@ TEST_CASE("under: below the target's bottom, and a rug is under what stands on i
   CHECK(is("under", rug));
 }
 
-TEST_CASE("hang from: at the ceiling or with the back at the wall") {
-  CHECK(is("hang from", lamp(2.3)));
-  CHECK_FALSE(is("hang from", lamp(2.0)));
+TEST_CASE("hang from: under the thing itself, or with the back at the wall that is meant") {
+  Scene beam = with_table();
+  beam.objects[0].position.z() = 1.9;  // to 2.65
+  const auto hangs = [&](double top, double aside = 0.0, Mount mount = Mount::ceiling) {
+    Object bulb = lamp(top - 0.4, aside);
+    bulb.mount = mount;
+    CHECK(held(beam, bulb, "on, table-0") == (held(beam, bulb, "hang from, table-0") && mount == Mount::ceiling));
+    return held(beam, bulb, "hang from, table-0");
+  };
+  CHECK(hangs(1.9));
+  CHECK(hangs(2.2));         // on a hook of its side
+  CHECK(hangs(2.2, 0, Mount::wall));
+  CHECK_FALSE(hangs(2.7));   // at the ceiling over it
+  CHECK_FALSE(hangs(1.7));   // in the air
+  CHECK_FALSE(hangs(1.9, 1.5));
+  CHECK_FALSE(hangs(1.9, 0, Mount::surface));  // stands on something
+  beam.objects[0].size.z() = 0.8;  // by its wires up to the ceiling
+  CHECK(hangs(1.9));
+  CHECK_FALSE(hangs(2.7));
   Object picture = rooms::thing("picture-0", "thing", {0.8, 0.04, 0.6}, {3, 5.97}, 0);
   picture.position.z() = 1.4;
-  CHECK(is("hang from", picture));
-  Scene beam = with_table();
-  beam.objects[0].position.z() = 2.1;
-  CHECK(held(beam, lamp(2.1 - lamp(0.0).size.z()), "hang from, table-0"));
-  CHECK_FALSE(held(beam, lamp(1.9 - lamp(0.0).size.z()), "hang from, table-0"));
+  picture.mount = Mount::wall;
+  CHECK(held(with_table(), picture, "hang from, wall-2"));
+  CHECK(held(with_table(), picture, "hang from, wall"));
+  CHECK_FALSE(held(with_table(), picture, "hang from, wall-1"));
+  CHECK_FALSE(is("hang from", picture));
+}
+
+TEST_CASE("near and next to a wall mean, of what hangs on one, that wall") {
+  Object picture = rooms::thing("picture-0", "thing", {0.8, 0.04, 0.6}, {0.5, 5.97}, 0);
+  picture.position.z() = 1.4;
+  for (const char* relation : {"near, ", "next to, "}) {
+    picture.mount = Mount::wall;
+    CHECK(held(with_table(), picture, std::string(relation) + "wall-2"));
+    CHECK_FALSE(held(with_table(), picture, std::string(relation) + "wall-3"));
+    picture.mount = Mount::floor;
+    CHECK(held(with_table(), picture, std::string(relation) + "wall-3"));
+  }
 }

@@ -227,11 +227,17 @@ class Judge:
         slack = self.limits.gap + geo.SLACK
         return (bound == "at most " or there >= said - slack) and (bound == "at least " or there <= said + slack)
 
+    def is_at(self, thing, place, limit):
+        """So near; what hangs on a wall is near that wall, not near one round the corner."""
+        if thing.mount == "wall" and place.wall is not None and place.shape is place.wall.line:
+            return place.wall in self.walls_at_back(thing, self.limits.edge)
+        return self.gap(thing, place) <= limit + geo.SLACK
+
     def near(self, thing, place):
-        return self.gap(thing, place) <= self.limits.near + geo.SLACK
+        return self.is_at(thing, place, self.limits.near)
 
     def next_to(self, thing, place):
-        return self.gap(thing, place) <= self.limits.beside + geo.SLACK
+        return self.is_at(thing, place, self.limits.beside)
 
     def far(self, thing, place):
         return self.gap(thing, place) >= self.limits.near - geo.SLACK
@@ -359,6 +365,8 @@ class Judge:
         """Stands on a thing, or hangs on a wall."""
         if place.wall is not None:
             return thing.mount == "wall" and place.wall in self.walls_at_back(thing, 0.05)
+        if thing.mount == "ceiling":
+            return self.hangs_under(thing, place)
         return (
             thing.mount == "surface" and thing.on is not None and self.places.get(thing.on.lower()) is place
         )
@@ -370,6 +378,11 @@ class Judge:
         own, other = thing.footprint, place.shape
         return below_top and (other.buffer(slack).covers(own) or own.buffer(slack).covers(other))
 
+    def hangs_under(self, thing, beam):
+        """Its top at the underside of a thing, or within the height of one that does not hang from the ceiling."""
+        high = beam.bottom if beam.top >= self.room.height - 0.05 else beam.top
+        return self.gap(thing, beam) <= 0.15 + geo.SLACK and beam.bottom - 0.05 <= thing.top <= high + 0.05
+
     def hangs(self, thing, target):
         walls = {f"wall-{w.index}" for w in self.walls_at_back(thing, 0.05)}
         at_ceiling = abs(thing.top - self.room.height) <= 0.05
@@ -377,5 +390,5 @@ class Judge:
             return at_ceiling or (target is None and bool(walls))
         beam = self.places.get(target)
         if beam is not None and beam.wall is None:
-            return at_ceiling or bool(walls) or abs(thing.top - beam.bottom) <= 0.05
+            return thing.mount in ("wall", "ceiling") and self.hangs_under(thing, beam)
         return target in walls or (target == "wall" and bool(walls))
