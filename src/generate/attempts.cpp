@@ -88,17 +88,19 @@ std::size_t add_objections(const Work& work, const Object& standing, Attempt& at
   return objections.size();
 }
 
+bool is_of_model(const Consultation& asked) {
+  return (asked.calls > 0 || !asked.prompt_sha256.empty()) && !asked.fell_back;
+}
+
 // Nothing of an answer is dropped silently: a model is told once what could not be followed, and the
 // answer by which the thing itself stands better stays; what else is moved is moved by both.
 void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
   Attempt& first = trial.step.attempts.back();
   const Object standing = *work.layout().find(trial.planned.id);
-  const Consultation& asked = first.answer.consultation;
-  const bool by_model = asked.calls > 0 || !asked.prompt_sha256.empty();
   const bool is_worth_it =
       !first.objections.empty() || is_worth_asking(work.place, first.answer, standing);
   const std::size_t lost = add_objections(work, standing, first);
-  if (!is_worth_it || first.made_room || !by_model || asked.fell_back) return;
+  if (!is_worth_it || first.made_room || !is_of_model(first.answer.consultation)) return;
   BuildState before = work.state;
   const auto all = work.layout().objects();
   const std::vector<Object> stood(all.begin(), all.end());
