@@ -101,7 +101,11 @@ void explain(Work& work, const AssetInfo& asset, Trial& trial, const Object& sta
   if (attempt.answer.yaw) task->facing = attempt.answer.yaw;
   const std::string why =
       why_not_there(work.layout(), with_companions(work, trial.planned, *task));
-  if (!why.empty()) attempt.objections.back() += why;
+  if (!why.empty() && !attempt.objections.empty()) attempt.objections.back() += why;
+}
+
+bool is_of_model(const Consultation& asked) {
+  return (asked.calls > 0 || !asked.prompt_sha256.empty()) && !asked.fell_back;
 }
 
 // Nothing of an answer is dropped silently: a model is told once what could not be followed, and the
@@ -109,12 +113,10 @@ void explain(Work& work, const AssetInfo& asset, Trial& trial, const Object& sta
 void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
   Attempt& first = trial.step.attempts.back();
   const Object standing = *work.layout().find(trial.planned.id);
-  const Consultation& asked = first.answer.consultation;
-  const bool by_model = asked.calls > 0 || !asked.prompt_sha256.empty();
   const bool is_worth_it =
       !first.objections.empty() || is_worth_asking(work.place, first.answer, standing);
   const std::size_t lost = add_objections(work, standing, first);
-  if (!is_worth_it || first.made_room || !by_model || asked.fell_back) return;
+  if (!is_worth_it || first.made_room || !is_of_model(first.answer.consultation)) return;
   BuildState before = work.state;
   const auto all = work.layout().objects();
   const std::vector<Object> stood(all.begin(), all.end());
