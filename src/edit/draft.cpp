@@ -129,10 +129,15 @@ Result<Object> object_named(const Draft& draft, std::string_view id) {
                 (near.empty() ? "" : "; did you mean " + near + "?"));
 }
 
-Result<Object> object_to_change(Draft& draft, std::string_view id) {
+bool may_go(const Draft& draft, const Object& object) {
+  return !object.locked || draft.shop.kinds().get(object.category).covers_window;
+}
+
+Result<Object> object_to_change(Draft& draft, std::string_view id, bool in_place) {
   auto object = object_named(draft, id);
   if (!object) return object;
-  if (object->locked) return cannot(object->id + " is locked; unlock it first");
+  if (object->locked && !(in_place && may_go(draft, *object)))
+    return cannot(object->id + " is locked; unlock it first");
   draft.named.insert(object->id);
   return object;
 }

@@ -15,14 +15,14 @@ std::set<std::string> with_what_goes_along(const Draft& draft, const Object& obj
 Status carry_out(Draft& draft, const edit::Remove& remove) {
   std::set<std::string> gone;
   for (const auto& id : remove.objects) {
-    const auto object = object_to_change(draft, id);
+    const auto object = object_to_change(draft, id, true);
     if (!object) return object.error();
     gone.merge(with_what_goes_along(draft, *object, remove.group));
   }
   std::set<std::string> rooms_of_rugs;
   for (const auto& id : gone) {
     const Object& object = *find_object(draft.scene, id);
-    if (object.locked) return cannot(id + " would go along, and is locked; unlock it first");
+    if (!may_go(draft, object)) return cannot(id + " would go along, and is locked; unlock it first");
     draft.named.insert(id);
     draft.new_categories.insert(object.category);
     if (object.traits.flat) rooms_of_rugs.insert(object.room);
