@@ -109,7 +109,6 @@ std::string counted(int count, const std::string& category) { return std::to_str
 // Fewer of a kind than were asked for: the number is another one now.
 Requirement fewer(const Requirement& requirement, const std::vector<std::string>& left) {
   Requirement now = requirement;
-  now.id.clear();
   now.source = Requirement::Source::edit;
   now.picture = 0;
   now.subjects = left;
@@ -118,8 +117,10 @@ Requirement fewer(const Requirement& requirement, const std::vector<std::string>
   return now;
 }
 
-// What went is asked for no more.
-void forget(const std::set<std::string>& gone, Draft& draft) {
+// What went is asked for no more. Comes back: what is asked for of those that are left, under the
+// ids of the clauses of the prompt that had more.
+std::vector<Requirement> forget(const std::set<std::string>& gone, Draft& draft) {
+  std::vector<Requirement> less;
   for (auto& verdict : draft.scene.requirements) {
     Requirement& asked = verdict.requirement;
     if (verdict.compliance == Compliance::withdrawn) continue;
@@ -131,13 +132,19 @@ void forget(const std::set<std::string>& gone, Draft& draft) {
       withdraw(verdict, by_an_edit);
     } else if (asked.kind == Requirement::Kind::count && lost_some &&
                static_cast<int>(left.size()) < asked.count) {
-      draft.wishes.push_back(fewer(asked, left));
-      withdraw(verdict, by_an_edit);
-    } else {
-      asked.subjects = std::move(left);
-      asked.targets = std::move(targets);
+      if (asked.source == Requirement::Source::edit) asked = fewer(asked, left);
+      else less.push_back(fewer(asked, left)), withdraw(verdict, by_an_edit);
     }
   }
+  return less;
+}
+
+// Those that nobody has taken the place of.
+void drop_gone(const std::set<std::string>& gone, Draft& draft) {
+  for (auto& verdict : draft.scene.requirements)
+    if (verdict.compliance != Compliance::withdrawn)
+      for (auto* ids : {&verdict.requirement.subjects, &verdict.requirement.targets})
+        std::erase_if(*ids, [&](const std::string& id) { return gone.count(id) > 0; });
 }
 
 std::string free_id(const Verdicts& verdicts) {
@@ -180,32 +187,64 @@ std::map<std::string, std::string> heirs_of(const Requirement& wish, const Draft
   return heirs;
 }
 
-// What was asked of those that are not there is asked of their heirs. Whether anything was.
-bool ask_again(const Requirement& wish, Draft& draft, std::set<std::string>& again) {
+// Of the things that an edit spoke of, whoever exchanges them says anew what else shall be.
+bool is_of_what_it_named(const Requirement& asked, const Requirement& renewed) {
+  return asked.source == Requirement::Source::edit && asked.kind != Requirement::Kind::count &&
+         asked.subjects != renewed.subjects;
+}
+
+Requirement asked_of_heirs(Requirement asked, const std::map<std::string, std::string>& heirs) {
+  for (auto* ids : {&asked.subjects, &asked.targets})
+    for (auto& id : *ids)
+      if (const auto heir = heirs.find(id); heir != heirs.end()) id = heir->second;
+  return asked;
+}
+
+// What was asked of those that are not there is asked of their heirs. The number that is met so.
+const Requirement* ask_again(const Requirement& wish, const std::set<std::string>& gone, Draft& draft,
+                             std::set<std::string>& again) {
   const auto heirs = heirs_of(wish, draft);
-  bool any = false;
+  const auto is_missing = [&](const std::string& id) { return !find_object(draft.scene, id); };
+  const Requirement* number = nullptr;
   for (auto& verdict : draft.scene.requirements) {
     const bool is_withdrawn = verdict.compliance == Compliance::withdrawn;
     if (heirs.empty() || (is_withdrawn && !went_by_an_edit(verdict))) continue;
-    Requirement renewed = verdict.requirement;
-    for (auto* ids : {&renewed.subjects, &renewed.targets})
-      for (auto& id : *ids)
-        if (const auto heir = heirs.find(id); heir != heirs.end()) id = heir->second;
-    if (renewed == verdict.requirement) continue;
-    if (is_withdrawn && is_about_gone(renewed, draft.scene)) continue;
-    if (is_withdrawn) again.insert(renewed.id);
+    Requirement renewed = asked_of_heirs(verdict.requirement, heirs);
+    if (renewed == verdict.requirement || is_of_what_it_named(verdict.requirement, renewed)) continue;
+    const bool is_count = renewed.kind == Requirement::Kind::count;
+    if (is_withdrawn && (is_count ? is_about_gone(renewed, draft.scene) : has_any(renewed.targets, gone)))
+      continue;
+    if (is_withdrawn || renewed.source != Requirement::Source::edit) again.insert(renewed.id);
+    if (is_withdrawn) std::erase_if(renewed.subjects, is_missing);
     verdict = {renewed, Compliance::not_met, ""};
-    any = true;
+    if (is_count && !number) number = &verdict.requirement;
   }
   std::erase_if(draft.scene.unplaced, [&](const auto& one) { return heirs.count(one.id) > 0; });
-  return any;
+  return number;
 }
 
-// The ids of those that were withdrawn and are asked again.
-std::set<std::string> add_wishes(Draft& draft) {
+// Numbers of edits that are part of one that is asked for again.
+void drop_parts_of(const Requirement& whole, Verdicts& verdicts) {
+  std::erase_if(verdicts, [whole](const RequirementVerdict& verdict) {
+    const Requirement& part = verdict.requirement;
+    return part.source == Requirement::Source::edit && part.kind == whole.kind && part.id != whole.id &&
+           part.room == whole.room && !part.subjects.empty() &&
+           std::all_of(part.subjects.begin(), part.subjects.end(), [&](const auto& id) {
+             return std::count(whole.subjects.begin(), whole.subjects.end(), id) > 0;
+           });
+  });
+}
+
+// The ids of those that are asked of others now.
+std::set<std::string> add_wishes(Draft& draft, const std::set<std::string>& gone, std::vector<Requirement> less) {
   std::set<std::string> again;
-  for (auto& wish : draft.wishes) {
-    if (is_about_gone(wish, draft.scene) || ask_again(wish, draft, again)) continue;
+  less.insert(less.begin(), draft.wishes.begin(), draft.wishes.end());
+  for (auto& wish : less) {
+    if (again.count(wish.id) > 0 || is_about_gone(wish, draft.scene)) continue;
+    if (const Requirement* number = ask_again(wish, gone, draft, again)) {
+      drop_parts_of(*number, draft.scene.requirements);
+      continue;
+    }
     wish.id = free_id(draft.scene.requirements);
     draft.scene.requirements.push_back({wish, Compliance::met, ""});
   }
@@ -260,15 +299,20 @@ std::vector<std::string> update_ledger(Draft& draft, const Scene& before) {
   Draft earlier(draft.shop, before, false, {});
   earlier.named = draft.named;
   const auto was = ledger_of(earlier);
-  forget(gone_ids(before, draft.scene), draft);
-  const auto again = add_wishes(draft);
+  const auto gone = gone_ids(before, draft.scene);
+  const auto again = add_wishes(draft, gone, forget(gone, draft));
+  drop_gone(gone, draft);
   auto broken = broken_relations(before, draft);
   Verdicts now = ledger_of(draft);
   for (auto& verdict : now) {
-    if (again.count(verdict.requirement.id) && !verdict.met()) withdraw(verdict, by_an_edit);
     const auto* old = verdict_of(was, verdict.requirement.id);
+    const bool is_again = again.count(verdict.requirement.id) > 0;
+    // Of what was exchanged just now the prompt asks what it asked of the one before.
+    const bool is_passed_on = is_again && old && old->compliance != Compliance::withdrawn &&
+                              verdict.requirement.source != Requirement::Source::edit;
+    if (is_again && !is_passed_on && !verdict.met()) withdraw(verdict, by_an_edit);
     if (!old || !old->met() || verdict.compliance != Compliance::not_met) continue;
-    if (is_overruled(verdict.requirement, draft)) withdraw(verdict, by_an_edit);
+    if (!is_passed_on && is_overruled(verdict.requirement, draft)) withdraw(verdict, by_an_edit);
     else broken.push_back("no longer met: " + verdict.requirement.clause);
   }
   draft.scene.requirements = std::move(now);

@@ -106,40 +106,69 @@ std::string told_operation(Json operation) {
   return json_line(operation);
 }
 
-// Is a thing taken out so that another one of its kind comes? Then it goes only if that one comes.
-bool is_exchange(const Session& session, const Json& first, const Json& second) {
-  const auto out = edit::operation_from_json(first, "operation");
-  const auto in = edit::operation_from_json(second, "operation");
-  const auto* remove = out ? std::get_if<edit::Remove>(&*out) : nullptr;
-  const auto* add = in ? std::get_if<edit::Add>(&*in) : nullptr;
-  const auto is_alike = [&](const std::string& id) {
+// Is any of these things taken out so that another one of its kind comes?
+bool is_exchange(const Session& session, const edit::Remove& remove, const edit::Add& add) {
+  return std::any_of(remove.objects.begin(), remove.objects.end(), [&](const std::string& id) {
     const Object* gone = find_object(session.scene(), id);
-    return gone && session.kinds().is_a(gone->category, add->category);
-  };
-  return remove && add && std::any_of(remove->objects.begin(), remove->objects.end(), is_alike);
+    return gone && session.kinds().is_a(gone->category, add.category);
+  });
+}
+
+// What is carried out together, all or none: a thing goes only if the one for which it makes room
+// comes, where nothing else is done in between.
+std::vector<std::vector<Json>> steps_of(const Session& session, const std::vector<Json>& operations) {
+  std::vector<edit::Operation> read;
+  for (Json one : operations) {
+    take_name(one);
+    const auto operation = edit::operation_from_json(one, "operation");
+    read.push_back(operation ? *operation : edit::Operation(edit::Revert{}));
+  }
+  std::vector<std::vector<Json>> steps(operations.size());
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    std::size_t step = i;
+    const auto* remove = std::get_if<edit::Remove>(&read[i]);
+    for (std::size_t j = i + 1; remove && j < read.size(); ++j) {
+      const auto* add = std::get_if<edit::Add>(&read[j]);
+      if (!add && !std::holds_alternative<edit::Remove>(read[j])) break;
+      if (!add || !is_exchange(session, *remove, *add)) continue;
+      step = j;
+      if (static_cast<int>(steps[j].size()) < add->count) break;
+    }
+    steps[step].push_back(operations[i]);
+  }
+  std::erase_if(steps, [](const auto& step) { return step.empty(); });
+  return steps;
+}
+
+// Where that is which the answer added and now would change in vain.
+std::string where_added(const Scene& scene, const NewNames& names, const Json& operation) {
+  const Json* said = member(operation, {"object"});
+  for (const auto& [name, id] : names)
+    if (const Object* object = said && *said == id ? find_object(scene, id) : nullptr)
+      return "; it is where it was added, " +
+             (object->on.empty() ? "at " + format_number(object->position.x(), 2) + ", " +
+                                       format_number(object->position.y(), 2)
+                                 : "on " + object->on);
+  return "";
 }
 
 // Each by itself: what one cannot do costs none of the others.
 void carry_out(Session& session, const std::vector<Json>& operations, ReviewRound& round) {
   NewNames names;
-  for (std::size_t i = 0; i < operations.size(); ++i) {
-    Json together = Json::array({with_ids(operations[i], names)});
-    std::string name = take_name(together.back());
-    if (i + 1 < operations.size()) {
-      Json next = with_ids(operations[i + 1], names);
-      const std::string next_name = take_name(next);
-      if (is_exchange(session, together.front(), next)) {
-        together.push_back(std::move(next));
-        name = next_name;
-        ++i;
-      }
+  for (const auto& step : steps_of(session, operations)) {
+    Json together = Json::array();
+    std::string name, asked;
+    for (const auto& one : step) {
+      together.push_back(with_ids(one, names));
+      name = take_name(together.back());
+      asked += (asked.empty() ? "" : " ") + told_operation(together.back());
     }
-    std::string asked;
-    for (const auto& one : together) asked += (asked.empty() ? "" : " ") + told_operation(one);
     const auto read = edit::operations_from_json(together, "operation");
     const auto report =
         read ? session.apply(*read, {asked, "model"}) : Result<EditReport>(read.error());
-    if (!report) round.refused.push_back(asked + ": " + report.error().message);
+    if (!report)
+      round.refused.push_back(asked + ": " + report.error().message +
+                              where_added(session.scene(), names, together.back()));
     else round.changes.insert(round.changes.end(), report->changes.begin(), report->changes.end());
     for (std::size_t k = 0; report && !name.empty() && k < report->added.size(); ++k)
       names[k == 0 ? name : name + " " + std::to_string(k + 1)] = report->added[k];

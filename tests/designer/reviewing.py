@@ -34,8 +34,10 @@ REVIEWS = [
     {"judgement": "too pale", "operations": [
         {"do": "cover", "part": "walls", "looks": "sage green"}, {"do": "remove", "objects": ["sofa-7"]},
         {"do": "light", "hour": 20, "level": "dim"},
-        {"do": "remove", "objects": ["bookshelf-1"]}, {"do": "add", "category": "bookshelf", "description": "oak bookshelf"},
+        {"do": "remove", "objects": ["bookshelf-1"]}, {"do": "remove", "objects": ["bookshelf-0"]},
+        {"do": "add", "category": "bookshelf", "description": "oak bookshelf", "count": 2},
         {"do": "add", "category": "side table", "as": "new table", "size": [0.5, 0.5, 0.55]},
+        {"do": "put", "object": "new table", "position": [9, 9]},
         {"do": "add", "category": "vase", "relations": ["on, new table"]}]},
     {"judgement": "good", "operations": []},
 ]  # fmt: skip
@@ -65,7 +67,7 @@ def main():
     assert names == ["plan", "placement", "review", "review"], names
     scene = json.loads((folder / "scene.json").read_text())
     at = {o["id"]: o["position"] for o in scene["objects"]}
-    for identifier, spot in list(SPOTS.items())[:2]:
+    for identifier, spot in list(SPOTS.items())[:1]:
         off = max(abs(a - b) for a, b in zip(at[identifier], spot["location"]))
         assert off < 0.1, f"{identifier} stands {off} m from where it was put"
     assert "sage green" in json.dumps(scene["room"]["materials"]["walls"])
@@ -80,7 +82,10 @@ def main():
     lines = [json.loads(line) for line in (folder / "trace.jsonl").read_text().splitlines()]
     rounds = [line for line in lines if "review" in line]
     assert [r["judgement"] for r in rounds] == ["too pale", "good"]
-    assert any("sage green" in change for change in rounds[0]["changes"]) and len(rounds[0]["refused"]) == 1, rounds[0]
+    assert any("sage green" in change for change in rounds[0]["changes"]) and len(rounds[0]["refused"]) == 2, rounds[0]
+    assert "is where it was added, at" in rounds[0]["refused"][1], rounds[0]
+    sources = [r["source"] for r in scene["requirements"] if "bookshel" in r["clause"]]
+    assert set(sources) == {"prompt"}, "an exchange is asked for once more"
 
 
 if __name__ == "__main__":
