@@ -20,13 +20,13 @@ bool wants(const std::vector<Relation>& relations, RelationKind kind) {
   return std::any_of(relations.begin(), relations.end(), [&](const Relation& one) { return one.kind == kind; });
 }
 
-Result<Mount> mount_for(const Kind& kind, const edit::Add& add) {
+Result<Mount> mount_for(const Scene& scene, const Kind& kind, const edit::Add& add) {
   const auto may = [&](Mount mount) {
     return kind.mount == mount || std::find(kind.also.begin(), kind.also.end(), mount) != kind.also.end();
   };
   if (add.mount) return *add.mount;
   const bool is_free = is_of_no_kind(kind) || !add.program.empty();
-  if (is_free && wants(add.relations, RelationKind::hang_from)) return Mount::ceiling;
+  if (hook_of(scene, add.relations)) return Mount::ceiling;
   const bool rests = wants(add.relations, RelationKind::on) || wants(add.relations, RelationKind::inside);
   if (!rests) return kind.mount;
   if (is_free || may(Mount::surface)) return Mount::surface;
@@ -97,9 +97,11 @@ Status place_newcomer(Draft& draft, const Newcomer& newcomer, const AssetInfo& a
   Aim aim;
   aim.asked = newcomer.item.relations;
   aim.usual = true;
-  const Cluster cluster{object, {}};
-  if (means == Means::others_make_way) return place_or_make_way(draft, cluster, aim);
-  auto found = find_place(draft, draft.layout_without(cluster), cluster, aim,
+  auto cluster = object.mount == Mount::ceiling ? hung(draft, {object, {}}, aim.asked)
+                                                : Result<Cluster>({object, {}});
+  if (!cluster) return cluster.error();
+  if (means == Means::others_make_way) return place_or_make_way(draft, *cluster, aim);
+  auto found = find_place(draft, draft.layout_without(*cluster), *cluster, aim,
                           means == Means::usual_places ? Effort::brief : Effort::thorough);
   if (!found) return found.error();
   draft.put(*found);
@@ -166,7 +168,7 @@ Status carry_out(Draft& draft, const edit::Add& add) {
   const Kind& kind = kind_to_add(draft.shop.kinds(), add);
   if (draft.scene.objects.size() + static_cast<std::size_t>(add.count) > most_things)
     return cannot("a scene holds " + std::to_string(most_things) + " things at most");
-  const auto mount = mount_for(kind, add);
+  const auto mount = mount_for(draft.scene, kind, add);
   if (!mount) return mount.error();
   const auto room = room_for_new(draft, add);
   if (!room) return room.error();

@@ -68,6 +68,27 @@ Status raise(Draft& draft, const Object& object, const Vec3& by) {
   return {};
 }
 
+// What carries a thing there: what does by now if it reaches so far, else the highest that is there.
+std::string carrier_at(const Scene& scene, const Object& object, const Vec2& position) {
+  const Object* best = nullptr;
+  for (const auto& one : scene.objects) {
+    const bool is_over = one.id == object.id || one.on == object.id || one.mount == Mount::ceiling;
+    if (is_over || one.traits.flat || one.room != object.room || !contains(footprint(one), position)) continue;
+    if (one.id == object.on) return one.id;
+    if (!best || top(one) > top(*best)) best = &one;
+  }
+  return best ? best->id : object.on;
+}
+
+// What hangs from a thing is under it also elsewhere.
+Status check_hook(const Draft& draft, const Object& object) {
+  const Object* hook = hook_of(draft.scene, object.relations);
+  if (!hook || top(object) > room_of(draft.scene, object).height - same_spot ||
+      lost_relations(object, {{RelationKind::hang_from, hook->id}}, draft.scene, draft.shop.kinds()).empty())
+    return {};
+  return cannot(object.id + " hangs from " + hook->id + ", which is not over that place");
+}
+
 // The room that is said, or the one of what it is to stand to.
 Result<std::string> room_to_go_to(const Draft& draft, const edit::Move& move, const Object& object) {
   if (!move.room.empty()) return room_named(draft, move.room);
@@ -95,7 +116,9 @@ Status carry_out(Draft& draft, const edit::Move& move) {
   const auto room = room_to_go_to(draft, move, *object);
   if (!room) return room.error();
   if (auto status = check_move(draft, *object, *room, move.relations); !status) return status;
-  Cluster cluster = in_room(whole_of(draft.scene, *object), *room);
+  auto raised = hung(draft, in_room(whole_of(draft.scene, *object), *room), move.relations);
+  if (!raised) return raised.error();
+  Cluster& cluster = *raised;
   Aim aim;
   aim.asked = move.relations;
   if (*room == object->room) aim.kept = still_wanted(*object, move.relations);
@@ -119,10 +142,8 @@ Status carry_out(Draft& draft, const edit::Put& put) {
   Cluster cluster = whole_of(draft.scene, *object);
   Pose pose{put.position, object->position.z(), put.yaw.value_or(object->yaw)};
   if (object->mount == Mount::surface) {
-    if (!put.on.empty()) {
-      if (auto carrier = object_named(draft, put.on); !carrier) return carrier.error();
-      cluster.root.on = put.on;
-    }
+    cluster.root.on = put.on.empty() ? carrier_at(draft.scene, *object, put.position) : put.on;
+    if (auto carrier = object_named(draft, cluster.root.on); !carrier) return carrier.error();
     Aim aim;
     aim.near_to = pose;
     aim.most_off = same_spot;
@@ -134,6 +155,7 @@ Status carry_out(Draft& draft, const edit::Put& put) {
   auto there = exactly_at(draft, cluster, pose);
   if (!there) there = exactly_at(draft, cluster, pose, RugEdges::stood_on);
   if (!there) return there.error();
+  if (auto status = check_hook(draft, there->root); !status) return status;
   draft.put(*there);
   if (object->traits.flat) settle_heights(draft, object->room);
   return {};

@@ -53,6 +53,27 @@ Result<Cluster> exactly_at(Draft& draft, const Cluster& cluster, const Pose& pos
   return settled(draft, draft.layout_without(cluster), moved_to(cluster, pose), edges);
 }
 
+const Object* hook_of(const Scene& scene, const std::vector<Relation>& relations) {
+  for (const auto& relation : relations)
+    if (relation.kind == RelationKind::hang_from)
+      if (const Object* hook = find_object(scene, relation.target)) return hook;
+  return nullptr;
+}
+
+Result<Cluster> hung(Draft& draft, Cluster cluster, const std::vector<Relation>& relations) {
+  const Object* hook = hook_of(draft.scene, relations);
+  if (!hook) return cluster;
+  Object& root = cluster.root;
+  root.mount = Mount::ceiling;
+  root.on.clear();
+  root.size.z() *= 1.0 - root.asset.wires;
+  root.asset.wires = 0.0;
+  if (const auto model = draft.shop.fetch_model(root.asset); !model) return model.error();
+  Pose pose = pose_of(root);
+  pose.bottom = std::max(0.0, bottom(*hook) - root.size.z());
+  return moved_to(cluster, pose);
+}
+
 Result<Cluster> there_or_near(Draft& draft, const Cluster& cluster, const Pose& pose, double most_off) {
   auto there = exactly_at(draft, cluster, pose);
   if (there) return there;

@@ -38,6 +38,10 @@ enum class Effort {
 /// At the best of the poses that there are.
 Result<Cluster> find_place(Draft& draft, Layout& layout, const Cluster& cluster, const Aim& aim,
                            Effort effort = Effort::thorough);
+/// The thing that these relations hang something from; null if none.
+const Object* hook_of(const Scene& scene, const std::vector<Relation>& relations);
+/// What is to hang from a thing hangs right under it then, with no wires of its own.
+Result<Cluster> hung(Draft& draft, Cluster cluster, const std::vector<Relation>& relations);
 /// Exactly there, or else as near as there is room, or else there on the edge of a rug.
 Result<Cluster> there_or_near(Draft& draft, const Cluster& cluster, const Pose& pose, double most_off);
 

@@ -362,6 +362,104 @@ TEST_CASE("What is drawn for a room comes as drawn, stands on things, and its li
   CHECK(broken.error().message.find("/components/0") != std::string::npos);
 }
 
+TEST_CASE("What is to hang from a thing comes to hang under it, and stays under it") {
+  TemporaryFolder folder;
+  Object rail = rooms::thing("rail-0", "rail", {2.0, 0.1, 0.1}, {2.0, 2.0});
+  rail.mount = Mount::ceiling;
+  rail.position.z() = 2.0;
+  const auto table = rooms::thing("coffee table-0", "coffee table", {0.9, 0.5, 0.45}, {1.0, 3.3});
+  Session session = open_with(folder, dump_json(to_json(rooms::scene(rooms::box(4, 4), {rail, table}))));
+  const auto apply = [&](const edit::Operation& operation) {
+    const auto report = session.apply({&operation, 1});
+    INFO((report ? "" : report.error().message));
+    return report.ok();
+  };
+  edit::Add toad{"toad", "green toad", {}, 2, {{RelationKind::hang_from, "rail-0"}}};
+  toad.program = drawn_toad;
+  REQUIRE(apply(toad));
+  toad.count = 1;
+  toad.relations = {{RelationKind::on, "coffee table-0"}};
+  REQUIRE(apply(toad));
+  REQUIRE(apply(edit::Move{"toad-2", {{RelationKind::hang_from, "rail-0"}}}));
+  for (const char* id : {"toad-0", "toad-1", "toad-2"}) {
+    const Object& hung = *find_object(session.scene(), id);
+    CHECK(top(hung) == Approx(2.0).margin(0.01));
+    CHECK(gap(footprint(rail), footprint(hung)) < 0.15);
+    CHECK(hung.on.empty());
+  }
+  CHECK_FALSE(apply(edit::Put{"toad-0", Vec2(3.0, 3.0)}));
+  for (const auto& verdict : session.scene().requirements) CHECK(verdict.compliance != Compliance::not_met);
+}
+
+TEST_CASE("What is put from one top onto another comes to the height of that") {
+  TemporaryFolder folder;
+  Session session = open_with(
+      folder, dump_json(to_json(rooms::scene(
+                  rooms::box(4, 4), {rooms::thing("sideboard-0", "sideboard", {1.2, 0.45, 0.8}, {1.0, 3.7}),
+                                     rooms::thing("coffee table-0", "coffee table", {0.9, 0.5, 0.45}, {3.0, 1.5})}))));
+  edit::Add toad{"toad", "green toad", {}, 1, {{RelationKind::on, "sideboard-0"}}};
+  toad.program = drawn_toad;
+  REQUIRE(session.apply({{toad}}));
+  const auto put = session.apply({{edit::Put{"toad-0", Vec2(3.1, 1.5)}}});
+  INFO((put ? "" : put.error().message));
+  REQUIRE(put);
+  const Object& there = *find_object(session.scene(), "toad-0");
+  CHECK(there.on == "coffee table-0");
+  CHECK(bottom(there) == Approx(0.45).margin(0.01));
+}
+
+TEST_CASE("What covers a window may go and become another, and stays in its place") {
+  TemporaryFolder folder;
+  Session session = open_with(folder, furnished("a bedroom with a bed and a roller blind", 1));
+  const Object blind = *find_object(session.scene(), "roller blind-0");
+  REQUIRE(blind.locked);
+  CHECK_FALSE(session.apply({{edit::Shift{blind.id, Vec3(0.2, 0, 0)}}}));
+  CHECK(session.apply({{edit::Recolor{blind.id, "navy"}}}));
+  CHECK(find_object(session.scene(), blind.id)->locked);
+  REQUIRE(session.apply({{edit::Remove{{blind.id}}}}));
+}
+
+TEST_CASE("What is exchanged is asked for as the one before, and counted once") {
+  TemporaryFolder folder;
+  auto scene = scene_from_json(*parse_json(furnished("a study with a desk", 1), "scene"), "scene");
+  REQUIRE(scene);
+  Session session = open_with(folder, dump_json(to_json(*scene)));
+  REQUIRE(session.apply({{edit::Add{"stool", "oak stool", {}, 3}}}));
+  scene = session.scene();
+  const std::vector<std::string> stools = {"stool-0", "stool-1", "stool-2"};
+  Requirement number{"r90", Requirement::Kind::count, Requirement::Source::prompt, "3 stools", "stool"};
+  number.count = 3;
+  Requirement near{"r91", Requirement::Kind::relation, Requirement::Source::prompt, "stools near the desk", "stool"};
+  near.relation = RelationKind::near;
+  near.targets = {"desk-0"};
+  number.subjects = near.subjects = stools;
+  std::erase_if(scene->requirements, [](const auto& one) { return one.requirement.category == "stool"; });
+  scene->requirements.push_back({number, Compliance::met, ""});
+  scene->requirements.push_back({near, Compliance::not_met, ""});
+  std::filesystem::remove(folder / "scene.journal");
+  Session exchanged = open_with(folder, dump_json(to_json(*scene)));
+  for (const auto& id : stools) {
+    const std::vector<edit::Operation> both = {edit::Remove{{id}}, edit::Add{"stool", "pine stool"}};
+    REQUIRE(exchanged.apply(both));
+  }
+  CHECK(exchanged.scene().requirements.size() == scene->requirements.size());
+  for (const auto& verdict : exchanged.scene().requirements) {
+    if (verdict.requirement.category != "stool") continue;
+    CHECK(verdict.requirement.subjects == std::vector<std::string>{"stool-3", "stool-4", "stool-5"});
+    CHECK(verdict.compliance != Compliance::withdrawn);
+  }
+  // Of fewer the rest is asked as before, and the number is the new one.
+  const std::vector<edit::Operation> fewer = {edit::Remove{{"stool-3", "stool-4", "stool-5"}},
+                                              edit::Add{"stool", "elm stool", {}, 2}};
+  REQUIRE(exchanged.apply(fewer));
+  for (const auto& verdict : exchanged.scene().requirements) {
+    if (verdict.requirement.id == "r90") CHECK(verdict.compliance == Compliance::withdrawn);
+    if (verdict.requirement.id == "r91") CHECK(verdict.requirement.subjects.size() == 2);
+    if (verdict.requirement.id == "r91") CHECK(verdict.compliance != Compliance::withdrawn);
+  }
+  CHECK(exchanged.scene().requirements.back().requirement.count == 2);
+}
+
 TEST_CASE("A new thing is counted for what was asked for and found no place") {
   TemporaryFolder folder;
   auto scene = scene_from_json(*parse_json(furnished("a study with a desk", 1), "scene"), "scene");
