@@ -40,7 +40,7 @@ Status check_paintable(Draft& draft, const Object& object, const std::map<std::s
 }  // namespace
 
 Status carry_out(Draft& draft, const edit::Recolor& recolor) {
-  const auto object = object_to_exchange(draft, recolor.object);
+  const auto object = object_to_change(draft, recolor.object, true);
   if (!object) return object.error();
   auto finish = create::wanted_finish(recolor.looks, object->category);
   // An apple's description does not paint it; who asks for it does.

@@ -129,25 +129,18 @@ Result<Object> object_named(const Draft& draft, std::string_view id) {
                 (near.empty() ? "" : "; did you mean " + near + "?"));
 }
 
-namespace {
-
-Result<Object> unless_locked(Draft& draft, std::string_view id, bool stays) {
-  auto object = object_named(draft, id);
-  if (!object) return object;
-  if (object->locked && !(stays && may_go(draft, *object)))
-    return cannot(object->id + " is locked; unlock it first");
-  draft.named.insert(object->id);
-  return object;
-}
-
-}  // namespace
-
 bool may_go(const Draft& draft, const Object& object) {
   return !object.locked || draft.shop.kinds().get(object.category).covers_window;
 }
 
-Result<Object> object_to_change(Draft& draft, std::string_view id) { return unless_locked(draft, id, false); }
-Result<Object> object_to_exchange(Draft& draft, std::string_view id) { return unless_locked(draft, id, true); }
+Result<Object> object_to_change(Draft& draft, std::string_view id, bool in_place) {
+  auto object = object_named(draft, id);
+  if (!object) return object;
+  if (object->locked && !(in_place && may_go(draft, *object)))
+    return cannot(object->id + " is locked; unlock it first");
+  draft.named.insert(object->id);
+  return object;
+}
 
 Result<std::string> room_named(const Draft& draft, const std::string& id) {
   const auto rooms = rooms_of(draft.scene);

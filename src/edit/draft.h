@@ -67,9 +67,9 @@ struct Draft {
 /// The object of this id; not_found, with the nearest name, if there is none.
 Result<Object> object_named(const Draft& draft, std::string_view id);
 /// The same for what an edit is to change: not if it is locked. It counts as named from now on.
-Result<Object> object_to_change(Draft& draft, std::string_view id);
-/// The same for what may become another one or go: what covers a window is locked in its place alone.
-Result<Object> object_to_exchange(Draft& draft, std::string_view id);
+/// `in_place`: it goes, or becomes another one where it is, as may_go().
+Result<Object> object_to_change(Draft& draft, std::string_view id, bool in_place = false);
+/// Not locked; what covers a window is locked in its place alone.
 bool may_go(const Draft& draft, const Object& object);
 /// The room of this id, or the only one.
 Result<std::string> room_named(const Draft& draft, const std::string& id);

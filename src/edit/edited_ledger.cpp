@@ -132,8 +132,7 @@ std::vector<Requirement> forget(const std::set<std::string>& gone, Draft& draft)
       withdraw(verdict, by_an_edit);
     } else if (asked.kind == Requirement::Kind::count && lost_some &&
                static_cast<int>(left.size()) < asked.count) {
-      const bool is_of_edit = asked.source == Requirement::Source::edit;
-      if (is_of_edit) asked = fewer(asked, left);
+      if (asked.source == Requirement::Source::edit) asked = fewer(asked, left);
       else less.push_back(fewer(asked, left)), withdraw(verdict, by_an_edit);
     }
   }
@@ -194,6 +193,13 @@ bool is_of_what_it_named(const Requirement& asked, const Requirement& renewed) {
          asked.subjects != renewed.subjects;
 }
 
+Requirement asked_of_heirs(Requirement asked, const std::map<std::string, std::string>& heirs) {
+  for (auto* ids : {&asked.subjects, &asked.targets})
+    for (auto& id : *ids)
+      if (const auto heir = heirs.find(id); heir != heirs.end()) id = heir->second;
+  return asked;
+}
+
 // What was asked of those that are not there is asked of their heirs. The number that is met so.
 const Requirement* ask_again(const Requirement& wish, const std::set<std::string>& gone, Draft& draft,
                              std::set<std::string>& again) {
@@ -203,10 +209,7 @@ const Requirement* ask_again(const Requirement& wish, const std::set<std::string
   for (auto& verdict : draft.scene.requirements) {
     const bool is_withdrawn = verdict.compliance == Compliance::withdrawn;
     if (heirs.empty() || (is_withdrawn && !went_by_an_edit(verdict))) continue;
-    Requirement renewed = verdict.requirement;
-    for (auto* ids : {&renewed.subjects, &renewed.targets})
-      for (auto& id : *ids)
-        if (const auto heir = heirs.find(id); heir != heirs.end()) id = heir->second;
+    Requirement renewed = asked_of_heirs(verdict.requirement, heirs);
     if (renewed == verdict.requirement || is_of_what_it_named(verdict.requirement, renewed)) continue;
     const bool is_count = renewed.kind == Requirement::Kind::count;
     if (is_withdrawn && (is_count ? is_about_gone(renewed, draft.scene) : has_any(renewed.targets, gone)))
@@ -235,18 +238,16 @@ void drop_parts_of(const Requirement& whole, Verdicts& verdicts) {
 // The ids of those that are asked of others now.
 std::set<std::string> add_wishes(Draft& draft, const std::set<std::string>& gone, std::vector<Requirement> less) {
   std::set<std::string> again;
-  const auto append = [&](Requirement& wish) {
+  less.insert(less.begin(), draft.wishes.begin(), draft.wishes.end());
+  for (auto& wish : less) {
+    if (again.count(wish.id) > 0 || is_about_gone(wish, draft.scene)) continue;
+    if (const Requirement* number = ask_again(wish, gone, draft, again)) {
+      drop_parts_of(*number, draft.scene.requirements);
+      continue;
+    }
     wish.id = free_id(draft.scene.requirements);
     draft.scene.requirements.push_back({wish, Compliance::met, ""});
-  };
-  for (auto& wish : draft.wishes) {
-    if (is_about_gone(wish, draft.scene)) continue;
-    if (const Requirement* number = ask_again(wish, gone, draft, again))
-      drop_parts_of(*number, draft.scene.requirements);
-    else append(wish);
   }
-  for (auto& wish : less)
-    if (again.count(wish.id) == 0) append(wish);
   draft.wishes.clear();
   return again;
 }

@@ -68,22 +68,15 @@ Status raise(Draft& draft, const Object& object, const Vec3& by) {
   return {};
 }
 
-// What carries a thing there: what is said, or what does by now if it reaches so far, or else the
-// highest thing that is there.
-Result<std::string> carrier_there(const Draft& draft, const Object& object, const edit::Put& put) {
-  if (!put.on.empty()) {
-    const auto carrier = object_named(draft, put.on);
-    return carrier ? Result<std::string>(put.on) : carrier.error();
+// What carries a thing there: what does by now if it reaches so far, else the highest that is there.
+std::string carrier_at(const Scene& scene, const Object& object, const Vec2& position) {
+  const Object* best = nullptr;
+  for (const auto& one : scene.objects) {
+    const bool is_over = one.id == object.id || one.on == object.id || one.mount == Mount::ceiling;
+    if (is_over || one.traits.flat || one.room != object.room || !contains(footprint(one), position)) continue;
+    if (one.id == object.on) return one.id;
+    if (!best || top(one) > top(*best)) best = &one;
   }
-  const auto is_there = [&](const Object& one) {
-    return one.id != object.id && one.room == object.room && one.on != object.id && !one.traits.flat &&
-           contains(footprint(one), put.position);
-  };
-  const Object* best = find_object(draft.scene, object.on);
-  if (best && is_there(*best)) return best->id;
-  best = nullptr;
-  for (const auto& one : draft.scene.objects)
-    if (is_there(one) && one.mount != Mount::ceiling && (!best || top(one) > top(*best))) best = &one;
   return best ? best->id : object.on;
 }
 
@@ -149,9 +142,8 @@ Status carry_out(Draft& draft, const edit::Put& put) {
   Cluster cluster = whole_of(draft.scene, *object);
   Pose pose{put.position, object->position.z(), put.yaw.value_or(object->yaw)};
   if (object->mount == Mount::surface) {
-    const auto carrier = carrier_there(draft, *object, put);
-    if (!carrier) return carrier.error();
-    cluster.root.on = *carrier;
+    cluster.root.on = put.on.empty() ? carrier_at(draft.scene, *object, put.position) : put.on;
+    if (auto carrier = object_named(draft, cluster.root.on); !carrier) return carrier.error();
     Aim aim;
     aim.near_to = pose;
     aim.most_off = same_spot;

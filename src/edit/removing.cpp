@@ -15,7 +15,7 @@ std::set<std::string> with_what_goes_along(const Draft& draft, const Object& obj
 Status carry_out(Draft& draft, const edit::Remove& remove) {
   std::set<std::string> gone;
   for (const auto& id : remove.objects) {
-    const auto object = object_to_exchange(draft, id);
+    const auto object = object_to_change(draft, id, true);
     if (!object) return object.error();
     gone.merge(with_what_goes_along(draft, *object, remove.group));
   }

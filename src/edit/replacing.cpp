@@ -195,7 +195,7 @@ Status write_asset(Draft& draft, const Object& object, const std::string& progra
 }  // namespace
 
 Status carry_out(Draft& draft, const edit::Replace& replace) {
-  const auto object = object_to_exchange(draft, replace.object);
+  const auto object = object_to_change(draft, replace.object, true);
   if (!object) return object.error();
   const Kind& kind = kind_instead(draft.shop.kinds(), *object, replace.category);
   const std::string called = replace.category.empty() ? object->category : lower(replace.category);

@@ -106,93 +106,56 @@ std::string told_operation(Json operation) {
   return json_line(operation);
 }
 
-/// What are carried out together, all or none.
-using Step = std::vector<Json>;
+// Is any of these things taken out so that another one of its kind comes?
+bool is_exchange(const Session& session, const edit::Remove& remove, const edit::Add& add) {
+  return std::any_of(remove.objects.begin(), remove.objects.end(), [&](const std::string& id) {
+    const Object* gone = find_object(session.scene(), id);
+    return gone && session.kinds().is_a(gone->category, add.category);
+  });
+}
 
-// Things are taken out so that others of their kind come: with each new one go as many as it
-// stands for, and only if it comes.
-class Exchanges {
- public:
-  Exchanges(const Session& session, const std::vector<Json>& operations)
-      : session_(session), operations_(operations) {
-    for (Json one : operations) {
-      take_name(one);
-      const auto read = edit::operation_from_json(one, "operation");
-      read_.push_back(read ? *read : edit::Operation(edit::Revert{}));
+// What is carried out together, all or none: a thing goes only if the one for which it makes room
+// comes, where nothing else is done in between.
+std::vector<std::vector<Json>> steps_of(const Session& session, const std::vector<Json>& operations) {
+  std::vector<edit::Operation> read;
+  for (Json one : operations) {
+    take_name(one);
+    const auto operation = edit::operation_from_json(one, "operation");
+    read.push_back(operation ? *operation : edit::Operation(edit::Revert{}));
+  }
+  std::vector<std::vector<Json>> steps(operations.size());
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    std::size_t step = i;
+    const auto* remove = std::get_if<edit::Remove>(&read[i]);
+    for (std::size_t j = i + 1; remove && j < read.size(); ++j) {
+      const auto* add = std::get_if<edit::Add>(&read[j]);
+      if (!add && !std::holds_alternative<edit::Remove>(read[j])) break;
+      if (!add || !is_exchange(session, *remove, *add)) continue;
+      step = j;
+      if (static_cast<int>(steps[j].size()) < add->count) break;
     }
+    steps[step].push_back(operations[i]);
   }
-
-  std::vector<Step> steps() {
-    for (std::size_t i = 0; i < operations_.size(); ++i) {
-      if (const auto* remove = std::get_if<edit::Remove>(&read_[i])) take_out(*remove, i);
-      else if (const auto* add = std::get_if<edit::Add>(&read_[i])) bring(*add, i);
-      else steps_.push_back({operations_[i]});
-    }
-    return std::move(steps_);
-  }
-
- private:
-  bool are_alike(const std::string& id, const edit::Add& add) const {
-    const Object* gone = find_object(session_.scene(), id);
-    return gone && session_.kinds().is_a(gone->category, add.category);
-  }
-  // Before anything else is done than that things come and go.
-  bool is_exchanged_after(std::size_t i, const std::string& id) const {
-    for (++i; i < read_.size(); ++i) {
-      const auto* add = std::get_if<edit::Add>(&read_[i]);
-      if (add && are_alike(id, *add)) return true;
-      if (!add && !std::holds_alternative<edit::Remove>(read_[i])) return false;
-    }
-    return false;
-  }
-  void take_out(const edit::Remove& remove, std::size_t i) {
-    std::vector<std::string> alone;
-    for (const auto& id : remove.objects) {
-      if (!is_exchanged_after(i, id)) alone.push_back(id);
-      else waiting_.push_back({id, with_objects(i, {id})});
-    }
-    if (!alone.empty()) steps_.push_back({with_objects(i, alone)});
-  }
-  Json with_objects(std::size_t i, const std::vector<std::string>& ids) const {
-    Json operation = operations_[i];
-    operation["objects"] = ids;
-    return operation;
-  }
-  void bring(const edit::Add& add, std::size_t i) {
-    Step step;
-    std::erase_if(waiting_, [&](const auto& one) {
-      const bool goes = are_alike(one.first, add) && (static_cast<int>(step.size()) < add.count ||
-                                                      !is_exchanged_after(i, one.first));
-      if (goes) step.push_back(one.second);
-      return goes;
-    });
-    step.push_back(operations_[i]);
-    steps_.push_back(std::move(step));
-  }
-
-  const Session& session_;
-  const std::vector<Json>& operations_;
-  std::vector<edit::Operation> read_;
-  std::vector<std::pair<std::string, Json>> waiting_;  ///< things that are to go, and the removal of each
-  std::vector<Step> steps_;
-};
+  std::erase_if(steps, [](const auto& step) { return step.empty(); });
+  return steps;
+}
 
 // Where that is which the answer added and now would change in vain.
 std::string where_added(const Scene& scene, const NewNames& names, const Json& operation) {
   const Json* said = member(operation, {"object"});
-  for (const auto& [name, id] : names) {
-    const Object* object = find_object(scene, id);
-    if (!said || !object || *said != id) continue;
-    const std::string at = format_number(object->position.x(), 2) + ", " + format_number(object->position.y(), 2);
-    return "; it is where it was added, " + (object->on.empty() ? "at " + at : "on " + object->on);
-  }
+  for (const auto& [name, id] : names)
+    if (const Object* object = said && *said == id ? find_object(scene, id) : nullptr)
+      return "; it is where it was added, " +
+             (object->on.empty() ? "at " + format_number(object->position.x(), 2) + ", " +
+                                       format_number(object->position.y(), 2)
+                                 : "on " + object->on);
   return "";
 }
 
 // Each by itself: what one cannot do costs none of the others.
 void carry_out(Session& session, const std::vector<Json>& operations, ReviewRound& round) {
   NewNames names;
-  for (const auto& step : Exchanges(session, operations).steps()) {
+  for (const auto& step : steps_of(session, operations)) {
     Json together = Json::array();
     std::string name, asked;
     for (const auto& one : step) {
