@@ -73,14 +73,16 @@ struct Catalogue::Impl {
     IndexedAsset asset;
   };
 
-  mutable std::mutex mutex;  // SQLite handles, the cache and idle decoders are used by one thread at a time
+  mutable std::mutex
+      mutex;  // SQLite handles, the cache and idle decoders are used by one thread at a time
   mutable std::vector<Shelf> shelves;
   mutable ModelCache models;
   mutable std::vector<std::unique_ptr<decode::Decoder>> idle;  ///< each reads one mesh at a time
   LogSink log;
   decode::DecoderOptions decoding;
 
-  explicit Impl(const CatalogueOptions& options) : log(options.log), decoding(decoder_options(options)) {}
+  explicit Impl(const CatalogueOptions& options)
+      : log(options.log), decoding(decoder_options(options)) {}
 
   Result<Found> find(const AssetRef& ref, const std::string& key) const;
   Result<std::shared_ptr<const Model>> read_model(const Found& found) const;
@@ -88,7 +90,8 @@ struct Catalogue::Impl {
 };
 
 // With the mutex held.
-Result<Catalogue::Impl::Found> Catalogue::Impl::find(const AssetRef& ref, const std::string& key) const {
+Result<Catalogue::Impl::Found> Catalogue::Impl::find(const AssetRef& ref,
+                                                     const std::string& key) const {
   for (auto& shelf : shelves) {
     if (shelf.library != ref.library || ref.procedural) continue;
     auto row = find_row(shelf.database, ref.id);

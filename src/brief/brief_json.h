@@ -24,9 +24,9 @@ struct BriefReading {
   std::vector<std::string> repairs = {};  ///< what was understood otherwise than it was written
 };
 
-/// Reads such a form of a model as far as it goes; how rules took a wish is not read back. `pointer`:
-/// of the form in its document, for messages. Words are looked up in the wish as they are quoted there;
-/// what the wish does not say is left out.
+/// Reads such a form of a model as far as it goes; how rules took a wish is not read back.
+/// `pointer`: of the form in its document, for messages. Words are looked up in the wish as they
+/// are quoted there; what the wish does not say is left out.
 BriefReading brief_from_json(const Json& json, std::string_view prompt, const RoomKinds& kinds,
                              const KindTable& table, const std::string& pointer = "");
 

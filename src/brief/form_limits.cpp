@@ -17,8 +17,7 @@ void read_absence(const FormNode& node, Form& form) {
                            : category.empty() ? looks
                                               : looks + " " + category;
   const auto heard = form.hear(node["words"], Heard::As::absence, what, 0);
-  if (heard.empty())
-    return form.problem(node["words"], "nothing in the wish says so");
+  if (heard.empty()) return form.problem(node["words"], "nothing in the wish says so");
   if (looks.empty())
     form.brief.excluded.push_back(category);
   else
@@ -34,8 +33,7 @@ void read_limit(const FormNode& node, FormThings& things) {
     else
       form.problem(one, "\"" + one.text() + "\" is the id of no thing");
   limit.category = lower(node["name"].text());
-  if (const FormName named = name_in_form(limit.category, form.table);
-      named.kind.length > 0)
+  if (const FormName named = name_in_form(limit.category, form.table); named.kind.length > 0)
     limit.category = things.talk.category_name(named.kind);
   if (const auto on = things.find_id(node["on"].text())) limit.on = *on;
   const std::string mount = lower(node["mount"].text());

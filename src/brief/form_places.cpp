@@ -56,11 +56,12 @@ class PlaceReader {
       return is_between(one) && one.part.starts_with("window-");
     };
     if (std::count_if(demands.begin(), demands.end(), is_between) > 2 &&
-        !std::all_of(demands.begin(), demands.end(), [&](const Demand& one) {
-          return !is_between(one) || is_window(one);
-        }))
-      std::erase_if(demands, [&](const Demand& one) { return is_window(one) && one.part != "window-0"; });
+        !std::all_of(demands.begin(), demands.end(),
+                     [&](const Demand& one) { return !is_between(one) || is_window(one); }))
+      std::erase_if(demands,
+                    [&](const Demand& one) { return is_window(one) && one.part != "window-0"; });
   }
+
  private:
   std::uint32_t near_of(const Mention& mention) const {
     return mention.heard.empty() ? 0 : brief_.heard[mention.heard.front()].tokens.begin;
@@ -75,8 +76,9 @@ class PlaceReader {
     const auto target = target_of(node["to"], *placement);
     if (!target && !is_id(node["to"].text()) && form_.remark(node, near)) return;
     if (!target)
-      return form_.problem(node["to"], "\"" + node["to"].text() +
-                                           "\" is neither the id of a thing nor a part of the room");
+      return form_.problem(
+          node["to"],
+          "\"" + node["to"].text() + "\" is neither the id of a thing nor a part of the room");
     const std::size_t heard = form_.hear_as_one(node, Heard::As::relation, near);
     if (node["denied"].flag()) return deny(index, *placement, *target, heard);
     talk_.told_by(heard);
@@ -260,7 +262,8 @@ class PlaceReader {
     brief_.shared_out.push_back(std::move(shared));
   }
   static bool is_id(const std::string& text) {
-    return text.size() > 1 && text[0] == 't' && text.find_first_not_of("0123456789", 1) == text.npos;
+    return text.size() > 1 && text[0] == 't' &&
+           text.find_first_not_of("0123456789", 1) == text.npos;
   }
 
   Form& form_;

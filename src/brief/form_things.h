@@ -16,9 +16,7 @@ inline constexpr std::size_t most_of_a_thing = 24;  ///< clauses
 /// The things of a form as far as they are read, for who reads what is said of them.
 struct FormThings {
   FormThings(Form& of, const Vocabulary& words)
-      : form(of),
-        lexicon{words, of.table, of.kinds.get(of.brief.type)},
-        talk(lexicon, of.brief) {}
+      : form(of), lexicon{words, of.table, of.kinds.get(of.brief.type)}, talk(lexicon, of.brief) {}
 
   std::optional<std::size_t> find_id(const std::string& id) const {
     const auto known = ids.find(id);
@@ -28,7 +26,7 @@ struct FormThings {
   Form& form;
   const Lexicon lexicon;
   Discourse talk;
-  std::map<std::string, std::size_t> ids;               ///< mentions
+  std::map<std::string, std::size_t> ids;              ///< mentions
   std::vector<std::pair<std::size_t, FormNode>> read;  ///< mentions with what is said of them
 };
 

@@ -8,7 +8,6 @@ namespace roomgen::brief {
 
 namespace {
 
-
 constexpr double metres_up_to = 30.0;  ///< bare numbers up to this are metres
 constexpr double least_ceiling = 2.0, greatest_ceiling = 12.0;  ///< metres above the floor
 constexpr std::size_t ahead = 4;       ///< words between a length and its thing

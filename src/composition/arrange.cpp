@@ -11,7 +11,7 @@ constexpr double above_target = 0.15;  ///< metres from the top of a thing to wh
 constexpr double behind_rim =
     0.03;  ///< metres from the edge of a table to what stands before a seat
 constexpr double apart = 0.02, farther = 0.06;  ///< between those at one seat
-constexpr double screen_off = 0.5;  ///< from the edge to the middle of a screen
+constexpr double screen_off = 0.5;              ///< from the edge to the middle of a screen
 constexpr double far_behind = 5.0,
                  reach = 0.5;  ///< metres from a seat to the edge of its table, at most
 constexpr double longest_row = 200;
@@ -54,7 +54,9 @@ struct Instance {
   bool round = false;
 };
 
-bool is_screen(const Vec3& size) { return size.z() > 0.3 && size.x() > 2.0 * size.y(); }
+bool is_screen(const Vec3& size) {
+  return size.z() > 0.3 && size.x() > 2.0 * size.y();
+}
 
 class Arranging {
  public:
@@ -306,9 +308,9 @@ class Arranging {
       const double edge = ray_hit(table, local.position - far_behind * ahead, ahead) - far_behind;
       if (edge <= -far_behind || edge > 0.5 * seat.size.y() + reach) continue;
       const double far = far_behind - ray_hit(table, local.position + far_behind * ahead, -ahead);
-      const double depth =
-          is_behind ? std::min(edge + screen_off, far - behind_rim - 0.5 * size.y())
-                    : edge + behind_rim + 0.5 * size.y() + number(part.gap, off.y());
+      const double depth = is_behind
+                               ? std::min(edge + screen_off, far - behind_rim - 0.5 * size.y())
+                               : edge + behind_rim + 0.5 * size.y() + number(part.gap, off.y());
       found.push_back(
           {local.position + depth * ahead + off.x() * aside, wrap_angle(local.yaw + pi)});
     }

@@ -162,8 +162,8 @@ Judgement judge(const Assembly& assembly, const std::vector<Link>& links,
   result.standing = standing(assembly.parts(), options.contact);
   find_levels(result, assembly);
   const bool on_ground = options.footing == Footing::ground;
-  result.grounded = options.as_drawn || !on_ground ||
-                    std::abs(result.standing.low) <= level_tolerance;
+  result.grounded =
+      options.as_drawn || !on_ground || std::abs(result.standing.low) <= level_tolerance;
   result.stable = on_ground ? result.standing.stable() : result.pieces == 1;
   for (std::size_t k = 0; k < links.size(); ++k) {
     if (!links[k].firm) continue;

@@ -185,8 +185,10 @@ namespace {
 void collect_letters(const Json& drawing, std::string& letters) {
   if (!drawing.is_structured()) return;
   for (const auto& [key, inner] : drawing.items())
-    if (key == "text" && inner.is_string()) letters += " " + inner.get<std::string>();
-    else collect_letters(inner, letters);
+    if (key == "text" && inner.is_string())
+      letters += " " + inner.get<std::string>();
+    else
+      collect_letters(inner, letters);
 }
 
 }  // namespace

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "part_forms.h"
 #include "library/looks.h"
+#include "part_forms.h"
 #include "parts.h"
 #include "reshape.h"
 #include "roomgen/base/json.h"

@@ -3,12 +3,12 @@
 #include <algorithm>
 
 #include "base/random.h"
+#include "library/looks.h"
 #include "prints.h"
 #include "relative_size.h"
 #include "roomgen/base/text.h"
-#include "shape/color.h"
-#include "library/looks.h"
 #include "roomgen/kinds/kind_table.h"
+#include "shape/color.h"
 #include "shape/motifs.h"
 #include "sizing.h"
 

@@ -74,8 +74,8 @@ class Repair {
 Result<Soundness> inspect(const shape::Program& program, const ValidateOptions& options) {
   const auto assembly = Assembly::make(program, options.contact);
   if (!assembly) return assembly.error();
-  const auto links = options.as_drawn ? std::vector<Link>()
-                                      : connection_map(*assembly, options.footing);
+  const auto links =
+      options.as_drawn ? std::vector<Link>() : connection_map(*assembly, options.footing);
   return soundness(*assembly, links, judge(*assembly, links, options), options);
 }
 

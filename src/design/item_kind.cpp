@@ -80,9 +80,9 @@ class Naming {
 
   bool is_near(const Kind& kind, double most) const {
     if (thing_.size && !is_about(*thing_.size, kind, most)) return false;
-    const bool is_put_otherwise = thing_.mount && *thing_.mount != kind.mount &&
-                                  std::find(kind.also.begin(), kind.also.end(), *thing_.mount) ==
-                                      kind.also.end();
+    const bool is_put_otherwise =
+        thing_.mount && *thing_.mount != kind.mount &&
+        std::find(kind.also.begin(), kind.also.end(), *thing_.mount) == kind.also.end();
     return most > vague_size || !is_put_otherwise;
   }
 
@@ -92,7 +92,8 @@ class Naming {
     std::string own = join(split(name_, ' '), "-");
     if (const std::size_t at = own.find("-s-"); at != std::string::npos) own.erase(at, 1);
     if (!table_.find(own)) return own;
-    const std::string phrase = thing_.description.substr(0, thing_.description.find_first_of(",;."));
+    const std::string phrase =
+        thing_.description.substr(0, thing_.description.find_first_of(",;."));
     const auto said = split(lower(phrase), ' ');
     const auto head = std::find(said.begin(), said.end(), own);
     const bool is_sort = head != said.begin() && head != said.end() &&

@@ -18,14 +18,14 @@ struct ItemLexicon {
 struct SaidThing {
   std::string name;
   std::string description = {};
-  std::optional<Vec3> size = std::nullopt;    ///< metres
+  std::optional<Vec3> size = std::nullopt;  ///< metres
   std::optional<Mount> mount = std::nullopt;
 };
 
-/// The kind of a thing: the one that its whole name or an ending of it names, if things of that kind
-/// are about as large and as special as what is told; else the thing is a kind of its own, under a
-/// name that means no other kind ("scent-organ"). Empty if neither name nor description says what it
-/// is.
+/// The kind of a thing: the one that its whole name or an ending of it names, if things of that
+/// kind are about as large and as special as what is told; else the thing is a kind of its own,
+/// under a name that means no other kind ("scent-organ"). Empty if neither name nor description
+/// says what it is.
 std::string kind_of(const SaidThing& thing, const ItemLexicon& lexicon);
 
 /// "Bed_1" is a bed.

@@ -147,8 +147,8 @@ Result<ChatRequest> ModelQuestions::to_plan(const PlanRequest& request, const br
   if (whole) {
     system = {{"kinds", kind_names(KindTable::built_in())}};
     user["requirements"] = requirement_lines(plan::clauses_of(request, brief, KindTable::built_in()));
-    user["compositions"] = composition_lines(
-        request.room ? request.room->type : brief.type, brief, lower(request.prompt));
+    user["compositions"] = composition_lines(request.room ? request.room->type : brief.type, brief,
+                                             lower(request.prompt));
   }
   auto question = make_question(whole ? "design" : "plan", system, user);
   if (!question) return question;

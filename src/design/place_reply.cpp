@@ -135,7 +135,8 @@ std::optional<Vec2> read_location(const Json& json, const PlaceReplyContext& con
   return std::nullopt;
 }
 
-// What is on a wall has its back against that; furniture stands under a window when it is before it.
+// What is on a wall has its back against that; furniture stands under a window when it is before
+// it.
 std::vector<Relation> meant_by(const Relation& said, const PlaceReplyContext& context) {
   if (said.kind == RelationKind::on && said.target.starts_with("wall-"))
     return {{RelationKind::edge, ""}, {RelationKind::next_to, said.target}};
@@ -198,8 +199,7 @@ Result<PlaceReply> read_place_reply(std::string_view text, const PlaceReplyConte
   const TargetNames targets(context.scene, context.object, KindTable::built_in());
 
   if (const Json* constraints = member(json, constraint_keys))
-    advice.relations =
-        as_meant(read_reply_relations(*constraints, targets, notes), context, notes);
+    advice.relations = as_meant(read_reply_relations(*constraints, targets, notes), context, notes);
   advice.location = read_location(json, context, notes);
   if (const Json* facing = member(json, facing_keys); facing && !facing->is_null()) {
     const auto read =

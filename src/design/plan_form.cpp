@@ -148,8 +148,8 @@ double told_of(const Composition& composition, const brief::Brief& brief) {
 
 // By what the wish asks for, and how readily rules take it. Of rooms that nobody knows only its
 // things tell.
-double suitability(const Composition& composition, const std::string& room,
-                   const std::string& wish, const brief::Brief& brief) {
+double suitability(const Composition& composition, const std::string& room, const std::string& wish,
+                   const brief::Brief& brief) {
   const double ready = plan::readiness(composition, room, wish), told = told_of(composition, brief);
   if (ready == 0.0) return elsewhere * told;
   return told + (brief.type_known || told > 0.0 || ready > of_anchor ? ready : 0.0);

@@ -28,19 +28,30 @@ struct WhereWords {
   const char* side;
   int sides;  ///< that share the things
 };
-constexpr WhereWords where_words[] = {
-    {"around", "around", "", 1},          {"all around", "around", "", 1},
-    {"left of", "beside", "left", 1},     {"right of", "beside", "right", 1},
-    {"in front of", "beside", "front", 1}, {"before", "beside", "front", 1},
-    {"behind", "beside", "back", 1},      {"beside", "beside", "sides", 2},
-    {"next to", "beside", "sides", 2},    {"on both sides of", "beside", "sides", 2},
-    {"on each side of", "beside", "sides", 2}, {"at the sides of", "beside", "sides", 2},
-    {"at the ends of", "beside", "ends", 2}, {"on all sides of", "beside", "all", 4},
-    {"on top of", "on", "", 1},           {"on", "on", "", 1},
-    {"inside", "on", "", 1},              {"in", "on", "", 1},
-    {"above", "above", "", 1},            {"over", "over", "", 1},
-    {"under", "under", "", 1},            {"beneath", "under", "", 1},
-    {"with", "of", "", 1},                {"at", "of", "", 1}};
+constexpr WhereWords where_words[] = {{"around", "around", "", 1},
+                                      {"all around", "around", "", 1},
+                                      {"left of", "beside", "left", 1},
+                                      {"right of", "beside", "right", 1},
+                                      {"in front of", "beside", "front", 1},
+                                      {"before", "beside", "front", 1},
+                                      {"behind", "beside", "back", 1},
+                                      {"beside", "beside", "sides", 2},
+                                      {"next to", "beside", "sides", 2},
+                                      {"on both sides of", "beside", "sides", 2},
+                                      {"on each side of", "beside", "sides", 2},
+                                      {"at the sides of", "beside", "sides", 2},
+                                      {"at the ends of", "beside", "ends", 2},
+                                      {"on all sides of", "beside", "all", 4},
+                                      {"on top of", "on", "", 1},
+                                      {"on", "on", "", 1},
+                                      {"inside", "on", "", 1},
+                                      {"in", "on", "", 1},
+                                      {"above", "above", "", 1},
+                                      {"over", "over", "", 1},
+                                      {"under", "under", "", 1},
+                                      {"beneath", "under", "", 1},
+                                      {"with", "of", "", 1},
+                                      {"at", "of", "", 1}};
 
 /// "around the table": the words for where, and the part.
 struct Said {
@@ -341,7 +352,8 @@ class GroupReader {
   // At a place within a table's own outline is on it, unless it is a rug or a seat.
   bool is_within(const Json& thing, const std::string& kind, const std::string& of) const {
     const Json* at = member(thing, {"at m", "at"});
-    const bool is_place = at && at->is_array() && at->size() == 2 && (*at)[0].is_number() && (*at)[1].is_number();
+    const bool is_place =
+        at && at->is_array() && at->size() == 2 && (*at)[0].is_number() && (*at)[1].is_number();
     if (!is_place || kinds_.get(kind).traits.flat || kinds_.is_a(kind, "seat")) return false;
     const Vec3 outline = size_of(of);
     return std::abs((*at)[0].get<double>()) < 0.5 * outline.x() &&
@@ -351,7 +363,8 @@ class GroupReader {
   // As far as the answer or the kind tells; 0 of a composition.
   Vec3 size_of(const std::string& part) const {
     for (const auto* draft : drafts_)
-      if (draft->item.part == part) return draft->item.size.value_or(kinds_.get(draft->item.category).size);
+      if (draft->item.part == part)
+        return draft->item.size.value_or(kinds_.get(draft->item.category).size);
     return Vec3::Zero();
   }
   double width_of(const std::string& part) const { return size_of(part).x(); }
@@ -363,7 +376,9 @@ class GroupReader {
     for (const auto& leaf : leaves_)
       if (words(last_name(leaf.path)) == words(said) || words(leaf.kind) == words(said)) return unit_path(leaf);
     for (const auto& part : parts)
-      if (part.contains("kind") && !words(said).empty() && words(said).back() == words(part["kind"].get<std::string>()).back()) return part["part"];
+      if (part.contains("kind") && !words(said).empty() &&
+          words(said).back() == words(part["kind"].get<std::string>()).back())
+        return part["part"];
     return "";
   }
 

@@ -243,8 +243,8 @@ class ItemReader {
     std::size_t skipped = 0;
     while (skipped < pieces.size() &&
            (pieces[skipped] == "on" || pieces[skipped] == "in" || pieces[skipped] == "inside" ||
-            pieces[skipped] == "the" || pieces[skipped] == "top" ||
-            pieces[skipped] == "of" || pieces[skipped] == "a"))
+            pieces[skipped] == "the" || pieces[skipped] == "top" || pieces[skipped] == "of" ||
+            pieces[skipped] == "a"))
       ++skipped;
     return join({pieces.begin() + static_cast<std::ptrdiff_t>(skipped), pieces.end()}, " ");
   }

@@ -85,7 +85,8 @@ std::vector<WantedOpening> read_reply_openings(const Json& json, const Room& roo
     std::vector<std::string> notes;
     note(problems, "opening", notes);
     for (auto& told : notes)
-      repairs.push_back("opening " + std::to_string(i + 1) + called + told.substr(told.find_first_of(",:")));
+      repairs.push_back("opening " + std::to_string(i + 1) + called +
+                        told.substr(told.find_first_of(",:")));
     if (!problems.first()) openings.insert(openings.end(), read.begin(), read.end());
   }
   return openings;

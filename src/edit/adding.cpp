@@ -124,8 +124,8 @@ const Object* drawn_twin(const Draft& draft, const PlanItem& item) {
 Status bring(Draft& draft, Newcomer newcomer, Favourites& favourites) {
   const AssetSearch search{draft.shop.library(), draft.shop.kinds(), draft.scene.seed};
   auto assets = retrieve(search, favourites, newcomer.item, newcomer.planned, most_assets);
-  const bool is_guess = assets && (assets->empty() || assets->front().stand_in ||
-                                   assets->front().approximate);
+  const bool is_guess =
+      assets && (assets->empty() || assets->front().stand_in || assets->front().approximate);
   if (const Object* twin = is_guess ? drawn_twin(draft, newcomer.item) : nullptr) {
     newcomer.item.asset = asset_key(twin->asset);
     if (!newcomer.item.size) newcomer.item.size = twin->size;
@@ -163,7 +163,9 @@ Status build_as_written(Draft& draft, const std::string& program, PlanItem& item
   return {};
 }
 
-bool is_of_no_kind(const Kind& kind) { return kind.name.empty() || kind.is_stand_in(); }
+bool is_of_no_kind(const Kind& kind) {
+  return kind.name.empty() || kind.is_stand_in();
+}
 
 Status carry_out(Draft& draft, const edit::Add& add) {
   const Kind& kind = kind_to_add(draft.shop.kinds(), add);

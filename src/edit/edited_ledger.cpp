@@ -132,8 +132,10 @@ std::vector<Requirement> forget(const std::set<std::string>& gone, Draft& draft)
       withdraw(verdict, by_an_edit);
     } else if (asked.kind == Requirement::Kind::count && lost_some &&
                static_cast<int>(left.size()) < asked.count) {
-      if (asked.source == Requirement::Source::edit) asked = fewer(asked, left);
-      else less.push_back(fewer(asked, left)), withdraw(verdict, by_an_edit);
+      if (asked.source == Requirement::Source::edit)
+        asked = fewer(asked, left);
+      else
+        less.push_back(fewer(asked, left)), withdraw(verdict, by_an_edit);
     }
   }
   return less;
@@ -201,8 +203,8 @@ Requirement asked_of_heirs(Requirement asked, const std::map<std::string, std::s
 }
 
 // What was asked of those that are not there is asked of their heirs. The number that is met so.
-const Requirement* ask_again(const Requirement& wish, const std::set<std::string>& gone, Draft& draft,
-                             std::set<std::string>& again) {
+const Requirement* ask_again(const Requirement& wish, const std::set<std::string>& gone,
+                             Draft& draft, std::set<std::string>& again) {
   const auto heirs = heirs_of(wish, draft);
   const auto is_missing = [&](const std::string& id) { return !find_object(draft.scene, id); };
   const Requirement* number = nullptr;
@@ -210,9 +212,11 @@ const Requirement* ask_again(const Requirement& wish, const std::set<std::string
     const bool is_withdrawn = verdict.compliance == Compliance::withdrawn;
     if (heirs.empty() || (is_withdrawn && !went_by_an_edit(verdict))) continue;
     Requirement renewed = asked_of_heirs(verdict.requirement, heirs);
-    if (renewed == verdict.requirement || is_of_what_it_named(verdict.requirement, renewed)) continue;
+    if (renewed == verdict.requirement || is_of_what_it_named(verdict.requirement, renewed))
+      continue;
     const bool is_count = renewed.kind == Requirement::Kind::count;
-    if (is_withdrawn && (is_count ? is_about_gone(renewed, draft.scene) : has_any(renewed.targets, gone)))
+    if (is_withdrawn &&
+        (is_count ? is_about_gone(renewed, draft.scene) : has_any(renewed.targets, gone)))
       continue;
     if (is_withdrawn || renewed.source != Requirement::Source::edit) again.insert(renewed.id);
     if (is_withdrawn) std::erase_if(renewed.subjects, is_missing);
@@ -227,8 +231,8 @@ const Requirement* ask_again(const Requirement& wish, const std::set<std::string
 void drop_parts_of(const Requirement& whole, Verdicts& verdicts) {
   std::erase_if(verdicts, [whole](const RequirementVerdict& verdict) {
     const Requirement& part = verdict.requirement;
-    return part.source == Requirement::Source::edit && part.kind == whole.kind && part.id != whole.id &&
-           part.room == whole.room && !part.subjects.empty() &&
+    return part.source == Requirement::Source::edit && part.kind == whole.kind &&
+           part.id != whole.id && part.room == whole.room && !part.subjects.empty() &&
            std::all_of(part.subjects.begin(), part.subjects.end(), [&](const auto& id) {
              return std::count(whole.subjects.begin(), whole.subjects.end(), id) > 0;
            });
@@ -236,7 +240,8 @@ void drop_parts_of(const Requirement& whole, Verdicts& verdicts) {
 }
 
 // The ids of those that are asked of others now.
-std::set<std::string> add_wishes(Draft& draft, const std::set<std::string>& gone, std::vector<Requirement> less) {
+std::set<std::string> add_wishes(Draft& draft, const std::set<std::string>& gone,
+                                 std::vector<Requirement> less) {
   std::set<std::string> again;
   less.insert(less.begin(), draft.wishes.begin(), draft.wishes.end());
   for (auto& wish : less) {
@@ -312,7 +317,8 @@ std::vector<std::string> update_ledger(Draft& draft, const Scene& before) {
                               verdict.requirement.source != Requirement::Source::edit;
     if (is_again && !is_passed_on && !verdict.met()) withdraw(verdict, by_an_edit);
     if (!old || !old->met() || verdict.compliance != Compliance::not_met) continue;
-    if (!is_passed_on && is_overruled(verdict.requirement, draft)) withdraw(verdict, by_an_edit);
+    if (!is_passed_on && is_overruled(verdict.requirement, draft))
+      withdraw(verdict, by_an_edit);
     else broken.push_back("no longer met: " + verdict.requirement.clause);
   }
   draft.scene.requirements = std::move(now);

@@ -68,12 +68,15 @@ Status raise(Draft& draft, const Object& object, const Vec3& by) {
   return {};
 }
 
-// What carries a thing there: what does by now if it reaches so far, else the highest that is there.
+// What carries a thing there: what does by now if it reaches so far, else the highest that is
+// there.
 std::string carrier_at(const Scene& scene, const Object& object, const Vec2& position) {
   const Object* best = nullptr;
   for (const auto& one : scene.objects) {
     const bool is_over = one.id == object.id || one.on == object.id || one.mount == Mount::ceiling;
-    if (is_over || one.traits.flat || one.room != object.room || !contains(footprint(one), position)) continue;
+    if (is_over || one.traits.flat || one.room != object.room ||
+        !contains(footprint(one), position))
+      continue;
     if (one.id == object.on) return one.id;
     if (!best || top(one) > top(*best)) best = &one;
   }
@@ -84,7 +87,8 @@ std::string carrier_at(const Scene& scene, const Object& object, const Vec2& pos
 Status check_hook(const Draft& draft, const Object& object) {
   const Object* hook = hook_of(draft.scene, object.relations);
   if (!hook || top(object) > room_of(draft.scene, object).height - same_spot ||
-      lost_relations(object, {{RelationKind::hang_from, hook->id}}, draft.scene, draft.shop.kinds()).empty())
+      lost_relations(object, {{RelationKind::hang_from, hook->id}}, draft.scene, draft.shop.kinds())
+          .empty())
     return {};
   return cannot(object.id + " hangs from " + hook->id + ", which is not over that place");
 }

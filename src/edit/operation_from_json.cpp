@@ -58,8 +58,8 @@ std::string program_of(const JsonReader& json) {
 }
 
 Operation read_add(const JsonReader& json) {
-  json.allow_only({"do", "category", "description", "size", "count", "relations", "room", "program",
-                   "mount"});
+  json.allow_only(
+      {"do", "category", "description", "size", "count", "relations", "room", "program", "mount"});
   Add add{json["category"].text(200), json["description"].text_or("", 1000)};
   if (json["size"].exists()) add.size = size_of(json["size"]);
   add.count = static_cast<int>(json["count"].integer_or(1, 1, most_added));

@@ -22,7 +22,8 @@ Status carry_out(Draft& draft, const edit::Remove& remove) {
   std::set<std::string> rooms_of_rugs;
   for (const auto& id : gone) {
     const Object& object = *find_object(draft.scene, id);
-    if (!may_go(draft, object)) return cannot(id + " would go along, and is locked; unlock it first");
+    if (!may_go(draft, object))
+      return cannot(id + " would go along, and is locked; unlock it first");
     draft.named.insert(id);
     draft.new_categories.insert(object.category);
     if (object.traits.flat) rooms_of_rugs.insert(object.room);

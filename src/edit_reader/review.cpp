@@ -116,7 +116,8 @@ bool is_exchange(const Session& session, const edit::Remove& remove, const edit:
 
 // What is carried out together, all or none: a thing goes only if the one for which it makes room
 // comes, where nothing else is done in between.
-std::vector<std::vector<Json>> steps_of(const Session& session, const std::vector<Json>& operations) {
+std::vector<std::vector<Json>> steps_of(const Session& session,
+                                        const std::vector<Json>& operations) {
   std::vector<edit::Operation> read;
   for (Json one : operations) {
     take_name(one);

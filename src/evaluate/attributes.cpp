@@ -138,9 +138,9 @@ class Judge {
   }
 
   AttributeVerdict material(const std::string& text, const AttributeMeaning& meaning) const {
-    const bool is_clear = std::any_of(meaning.materials.begin(), meaning.materials.end(), [&](const std::string& name) {
-      return has_word(looks_.clear, name);
-    });
+    const bool is_clear =
+        std::any_of(meaning.materials.begin(), meaning.materials.end(),
+                    [&](const std::string& name) { return has_word(looks_.clear, name); });
     if (is_clear) return yes("one sees through it");
     const bool agrees = looks_.colors.empty() || shows(meaning, material_share);
     const auto& materials = meaning.materials;

@@ -40,11 +40,11 @@ struct AttributeVerdict {
   std::string reason;  ///< "mostly white", "no word of it is known"
 };
 
-/// Has the thing the attribute ("matte_black", "l-shaped", "pastel pink")? All words of it must hold, the
-/// longest known phrases first (data/evaluate/attributes.json); a word that is in no table holds if the
-/// label says it and cannot be judged otherwise; what is said of a part that it has ("red curtain") needs to show on
-/// little of it; sizes in numbers ("160 cm wide") are those of the box.
-/// docs/evaluation.md has the rules.
+/// Has the thing the attribute ("matte_black", "l-shaped", "pastel pink")? All words of it must
+/// hold, the longest known phrases first (data/evaluate/attributes.json); a word that is in no
+/// table holds if the label says it and cannot be judged otherwise; what is said of a part that it
+/// has ("red curtain") needs to show on little of it; sizes in numbers ("160 cm wide") are those of
+/// the box. docs/evaluation.md has the rules.
 AttributeVerdict judge_attribute(const KnownLooks& looks, std::string_view attribute);
 
 }  // namespace roomgen

@@ -53,9 +53,8 @@ std::string finish_fault(std::string_view asked, std::string_view worn, RoomPart
   const auto shown = drawn.tones();
   const auto tones = as_asked.tones().size() > 1 ? as_asked.tones() : said.tones;
   const auto is_shown = [&](const Tone& tone) {
-    return std::any_of(shown.begin(), shown.end(), [&](const Tone& other) {
-      return tone_distance(tone, other) <= same_tone;
-    });
+    return std::any_of(shown.begin(), shown.end(),
+                       [&](const Tone& other) { return tone_distance(tone, other) <= same_tone; });
   };
   const auto count = static_cast<std::size_t>(std::count_if(tones.begin(), tones.end(), is_shown));
   const bool has_colors = said.tones.empty() || count == tones.size() ||
@@ -63,7 +62,8 @@ std::string finish_fault(std::string_view asked, std::string_view worn, RoomPart
   const bool has_surface = shows_surface(said, as_asked, worn, drawn);
   if (has_colors && has_surface && said.unknown.empty()) return "";
   const bool is_part = (said.surface && has_surface) || (!said.tones.empty() && count > 0);
-  return (is_part ? "partly: drawn as " : "drawn as ") + shown_text(drawn, !said.tones.empty() && has_colors) +
+  return (is_part ? "partly: drawn as " : "drawn as ") +
+         shown_text(drawn, !said.tones.empty() && has_colors) +
          (said.unknown.empty() ? "" : "; nothing draws \"" + join(said.unknown, " ") + "\"");
 }
 

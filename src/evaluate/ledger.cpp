@@ -200,8 +200,8 @@ class Checker {
     if (said.category == "floor") return fault(materials.floor, RoomPart::floor);
     if (said.category == "ceiling") return fault(materials.ceiling, RoomPart::ceiling);
     const bool is_accent = said.category == "accent wall";
-    const std::string first = fault(
-        is_accent ? finish_named(materials, accent_name) : materials.walls, RoomPart::walls);
+    const std::string first =
+        fault(is_accent ? finish_named(materials, accent_name) : materials.walls, RoomPart::walls);
     const bool is_shown =
         std::any_of(materials.covers.begin(), materials.covers.end(), [&](const WallCover& cover) {
           const bool is_lower = cover.lower && !cover.lower->finish.empty() &&

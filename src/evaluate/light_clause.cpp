@@ -24,8 +24,7 @@ bool is_as_warm(double asked, double lit) {
 
 bool is_so(const Lighting& asked, const Lighting& light) {
   const double hours = asked.hour && light.hour ? std::abs(*asked.hour - *light.hour) : 0.0;
-  const bool is_hour =
-      !asked.hour || (light.hour && std::min(hours, 24.0 - hours) <= hours_apart);
+  const bool is_hour = !asked.hour || (light.hour && std::min(hours, 24.0 - hours) <= hours_apart);
   return is_hour && (!asked.sky || asked.sky == light.sky) &&
          (!asked.lux || (light.lux && is_as_bright(*asked.lux, *light.lux))) &&
          (!asked.kelvin || (light.kelvin && is_as_warm(*asked.kelvin, *light.kelvin)));

@@ -4,9 +4,9 @@
 #include <optional>
 #include <set>
 
+#include "builder_steps.h"
 #include "composition/patterns.h"
 #include "fits_as_it_is.h"
-#include "builder_steps.h"
 #include "ready.h"
 
 namespace roomgen {
@@ -80,7 +80,8 @@ std::string move_one(Work& work, const WantedMove& move) {
   for (auto object = together.rbegin(); object != together.rend(); ++object) layout.remove(object->id);
   for (const auto& object : together) {
     Object there = carried(object, thing, move);
-    if (object.id == thing.id && thing.mount == Mount::surface) there = resting_there(layout, there);
+    if (object.id == thing.id && thing.mount == Mount::surface)
+      there = resting_there(layout, there);
     if (const auto status = fits_as_it_is(layout, there); !status) {
       arrange_as(layout, before);
       return move.object + " was not moved: " + status.error().message;
@@ -175,7 +176,8 @@ bool amend(Work& work, const PlannedObject& planned, const PlaceAdvice& advice) 
 std::vector<std::string> move_standing(Work& work, const std::vector<WantedMove>& moves) {
   std::vector<std::string> undone;
   std::vector<WantedMove> left = moves;
-  for (std::size_t before = left.size() + 1; left.size() < before;) {  // what was in the way may be gone
+  for (std::size_t before = left.size() + 1;
+       left.size() < before;) {  // what was in the way may be gone
     before = left.size();
     undone.clear();
     std::erase_if(left, [&](const WantedMove& move) {

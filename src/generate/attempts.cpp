@@ -94,13 +94,14 @@ void explain(Work& work, const AssetInfo& asset, Trial& trial, const Object& sta
   Attempt& attempt = trial.step.attempts.back();
   constexpr double told_from = 0.3;  // metres
   const auto& said = attempt.answer.location;
-  if (!said || standing.mount == Mount::surface || (standing.position.head<2>() - *said).norm() < told_from) return;
+  if (!said || standing.mount == Mount::surface ||
+      (standing.position.head<2>() - *said).norm() < told_from)
+    return;
   auto task = prepare(work, trial.planned, asset);
   if (!task) return;
   task->location = said;
   if (attempt.answer.yaw) task->facing = attempt.answer.yaw;
-  const std::string why =
-      why_not_there(work.layout(), with_companions(work, trial.planned, *task));
+  const std::string why = why_not_there(work.layout(), with_companions(work, trial.planned, *task));
   if (!why.empty() && !attempt.objections.empty()) attempt.objections.back() += why;
 }
 
@@ -108,8 +109,8 @@ bool is_of_model(const Consultation& asked) {
   return (asked.calls > 0 || !asked.prompt_sha256.empty()) && !asked.fell_back;
 }
 
-// Nothing of an answer is dropped silently: a model is told once what could not be followed, and the
-// answer by which the thing itself stands better stays; what else is moved is moved by both.
+// Nothing of an answer is dropped silently: a model is told once what could not be followed, and
+// the answer by which the thing itself stands better stays; what else is moved is moved by both.
 void reconsider(Work& work, const AssetInfo& asset, Trial& trial) {
   Attempt& first = trial.step.attempts.back();
   const Object standing = *work.layout().find(trial.planned.id);

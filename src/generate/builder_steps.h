@@ -14,8 +14,8 @@ Result<Proposal> propose_places(Work& work, const PlannedObject& planned, std::s
 /// Puts the object of a proposal into the room. not_found if the place is taken by now.
 Status take_place(Work& work, const Proposal& proposal, std::size_t choice, Step& step);
 
-/// What rests on other things, where a host wants it on WantedPose::on, else on the highest there, or about
-/// as high as it says; nothing where none carries it.
+/// What rests on other things, where a host wants it on WantedPose::on, else on the highest there,
+/// or about as high as it says; nothing where none carries it.
 std::optional<Object> resting(const Layout& layout, Object object, const WantedPose& wanted);
 
 /// Puts an object exactly where a host wants it, locked. not_found if it cannot stand there.

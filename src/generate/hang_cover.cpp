@@ -76,7 +76,8 @@ Result<Hanging> find_hanging(Work& work, const PlannedObject& planned) {
   const auto windows = windows_in_order(work.place.room, work.layout().objects(), work.item(planned));
   if (windows.empty()) return no_place("the room has no window at which it could hang");
   for (const Opening* window : windows)
-    for (auto& hung : hangings(object, category, work.place.room, *window, said_height(work.item(planned)))) {
+    for (auto& hung :
+         hangings(object, category, work.place.room, *window, said_height(work.item(planned)))) {
       const auto asset = made_to_measure(work, planned, hung);
       if (!asset) return asset.error();
       if (*asset && may_hang(work, planned, **asset, hung))
@@ -91,7 +92,8 @@ void measure_covers(Workplace& place) {
     if (!kind.covers_window) continue;
     const auto windows = windows_in_order(place.room, {}, item);
     if (windows.empty()) continue;
-    const auto hung = hangings(unhung_cover("", item, kind), kind, place.room, *windows.front(), said_height(item));
+    const auto hung = hangings(unhung_cover("", item, kind), kind, place.room, *windows.front(),
+                               said_height(item));
     if (!hung.empty()) item.size = hung.front().size;
   }
 }

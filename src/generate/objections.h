@@ -16,8 +16,8 @@ inline constexpr double facing_tolerance = pi / 12;
 std::vector<std::string> objections_to(const Workplace& place, const PlaceAdvice& answer,
                                        const Object& standing);
 
-/// Could another answer mend any of that? Not where the thing stands just where it was said and that place
-/// itself breaks the constraints.
+/// Could another answer mend any of that? Not where the thing stands just where it was said and
+/// that place itself breaks the constraints.
 bool is_worth_asking(const Workplace& place, const PlaceAdvice& answer, const Object& standing);
 
 }  // namespace roomgen

@@ -134,7 +134,8 @@ ContactSheet::Thing drawn(const AssetOffer& offer, std::size_t index) {
 ModelTable models_of(const AssetLibrary& library, const std::vector<ContactSheet::Row>& rows) {
   std::map<std::string, AssetRef> assets;
   for (const auto& row : rows)
-    for (const auto& thing : row.things) assets.emplace(asset_key(thing.object.asset), thing.object.asset);
+    for (const auto& thing : row.things)
+      assets.emplace(asset_key(thing.object.asset), thing.object.asset);
   const std::vector<std::pair<std::string, AssetRef>> wanted(assets.begin(), assets.end());
   std::vector<std::shared_ptr<const Model>> read(wanted.size());
   std::atomic<std::size_t> next{0};

@@ -14,7 +14,8 @@ namespace {
 // The object where the host wants it.
 Result<Object> posed(const Layout& layout, Object object, const WantedPose& wanted) {
   if (object.mount != Mount::surface)
-    object = at_pose(object, {wanted.position, wanted.bottom.value_or(object.position.z()), wanted.yaw});
+    object =
+        at_pose(object, {wanted.position, wanted.bottom.value_or(object.position.z()), wanted.yaw});
   else if (auto rest = resting(layout, object, wanted))
     object = *std::move(rest);
   else

@@ -30,7 +30,8 @@ std::string place_told(const BuildState& state, const PlacementTask& task, const
   const bool is_said_there = is_said(state, standing.id) && !is_in_row(step_of(state, standing.id));
   if (!task.location || !is_said_there) return {};
   const double away = (standing.position.head<2>() - *task.location).norm();
-  const char* from = group_about(state, standing.id) ? "its place in its group" : "where you put it";
+  const char* from =
+      group_about(state, standing.id) ? "its place in its group" : "where you put it";
   return away > told_from ? " stands " + format_number(away, 2) + " m from " + from : "";
 }
 
@@ -40,7 +41,8 @@ void tell_answers(const Work& work, std::vector<std::string>& told) {
     if (step.attempts.empty()) continue;
     const Attempt& last = step.attempts.back();
     if (!last.refused.empty() && !step.repaired && work.layout().find(step.planned.id))
-      told.push_back("your second answer for " + step.planned.id + " was not taken: " + last.refused);
+      told.push_back("your second answer for " + step.planned.id +
+                     " was not taken: " + last.refused);
     if (!last.objections.empty())
       told.push_back("of your answer for " + step.planned.id + ": " + join(last.objections, "; "));
     if (const auto other = other_carrier(work.state, step, work.layout().objects()); !other.empty())

@@ -21,7 +21,8 @@ struct Said {
 /// By its group, else by the first answer: a plan repeats itself, and a model is told what it lost.
 Said said_of(const BuildState& state, const Step& step);
 
-/// " stands on desk-0, not on line-0: " and why, of what rests on another thing than was said; else empty.
+/// " stands on desk-0, not on line-0: " and why, of what rests on another thing than was said; else
+/// empty.
 std::string other_carrier(const BuildState& state, const Step& step,
                           std::span<const Object> objects);
 

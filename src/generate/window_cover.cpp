@@ -14,7 +14,8 @@ constexpr double under_sill = 0.06;
 constexpr double under_ceiling = 0.02;
 constexpr double off_wall = 0.004;  // so that faces do not coincide
 constexpr double least_width = 0.3, least_height = 0.3, least_said_height = 0.1;
-constexpr double short_share = 0.85;  // of the usual height: what is said to be less is not drawn down
+constexpr double short_share =
+    0.85;  // of the usual height: what is said to be less is not drawn down
 
 // The wall that is free at each side of the window: to its end, or half-way to the next opening.
 double free_beside(const Room& room, const Opening& window) {

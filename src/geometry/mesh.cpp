@@ -47,7 +47,8 @@ bool is_unit(const Vec3f& n) {
 std::vector<std::uint32_t> weld(const Mesh& mesh) {
   const auto& at = mesh.positions;
   const auto before = [&](std::uint32_t a, std::uint32_t b) {
-    for (int axis = 0; axis < 3; ++axis)  // no zero is below another; what is no number has its place, too
+    for (int axis = 0; axis < 3;
+         ++axis)  // no zero is below another; what is no number has its place, too
       if (const auto order = std::strong_order(at[a][axis] + 0.0f, at[b][axis] + 0.0f); order != 0)
         return order < 0;
     return a < b;
@@ -56,7 +57,8 @@ std::vector<std::uint32_t> weld(const Mesh& mesh) {
   std::iota(sorted.begin(), sorted.end(), 0u);
   std::sort(sorted.begin(), sorted.end(), before);
   for (std::size_t i = 0; i < sorted.size(); ++i)
-    group[sorted[i]] = i > 0 && at[sorted[i]] == at[sorted[i - 1]] ? group[sorted[i - 1]] : sorted[i];
+    group[sorted[i]] =
+        i > 0 && at[sorted[i]] == at[sorted[i - 1]] ? group[sorted[i - 1]] : sorted[i];
   return group;
 }
 

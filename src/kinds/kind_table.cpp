@@ -196,7 +196,8 @@ const KindTable::Name* KindTable::look_up(std::string_view name) const {
   const auto pieces = words(name);
   if (pieces.empty() || pieces.size() > most_words) return nullptr;
   for (const auto form : {as_written, last_in_singular, in_singular})
-    if (const auto found = names_.find(join(form(pieces), " ")); found != names_.end()) return &found->second;
+    if (const auto found = names_.find(join(form(pieces), " ")); found != names_.end())
+      return &found->second;
   return nullptr;
 }
 

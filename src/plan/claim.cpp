@@ -60,8 +60,7 @@ Claim claim(const Plan& plan, const brief::Brief& brief, const KindTable& table)
   const auto give = [&](auto fits) {
     for (std::size_t m = 0; m < lacking.size(); ++m)
       for (std::size_t i = 0; i < plan.items.size() && lacking[m] > 0; ++i)
-        if (result.mention_of[i] == brief::Demand::none &&
-            fits(plan.items[i], brief.mentions[m])) {
+        if (result.mention_of[i] == brief::Demand::none && fits(plan.items[i], brief.mentions[m])) {
           result.mention_of[i] = m;
           lacking[m] -= plan.items[i].quantity;
         }

@@ -35,7 +35,8 @@ Lighting light_of(brief::Brief& brief) {
   for (std::size_t at = 0; at < texts.size(); ++at) {
     std::size_t length = 0;
     const Lighting* mood = finish_words().mood_at(texts, at, length);
-    const language::Run run{static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at + length)};
+    const language::Run run{static_cast<std::uint32_t>(at),
+                            static_cast<std::uint32_t>(at + length)};
     if (!mood || is_denied(brief, at) || is_of_things(brief, run)) continue;
     fill(light, *mood);
     hear(brief, run, Heard::As::style);

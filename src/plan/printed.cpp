@@ -57,8 +57,8 @@ std::string described_with_print(const brief::Brief& brief, const brief::Mention
                                  const KindTable& table) {
   const std::string& description = mention.description;
   const bool is_cloth = table.is_any_of(mention.category, printed_cloths);
-  if (!is_cloth && !table.is_any_of(mention.category, {"picture", "map", "neon sign", "wall sign",
-                                                       "wall letters"}))
+  if (!is_cloth && !table.is_any_of(mention.category,
+                                    {"picture", "map", "neon sign", "wall sign", "wall letters"}))
     return description;
   std::uint32_t from = 0;
   for (const auto index : mention.heard)

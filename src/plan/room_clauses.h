@@ -16,8 +16,8 @@ struct SaidClause {
   std::vector<std::size_t> words;
 };
 
-/// What is asked of the room itself: its kind, sides, shape, openings, seats, style, and what nothing in it can show.
-/// `type`: what the plan calls the room.
+/// What is asked of the room itself: its kind, sides, shape, openings, seats, style, and what
+/// nothing in it can show. `type`: what the plan calls the room.
 std::vector<SaidClause> clauses_of_room(const brief::Brief& brief, const PlanRequest& request,
                                         const std::string& type);
 

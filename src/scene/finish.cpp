@@ -140,8 +140,7 @@ class FinishReader {
     for (std::size_t i = 0; i < all_.size(); ++i) {
       const std::string& word = all_[i];
       const bool is_likeness = words_.likenesses.count(word) > 0;
-      if (!is_told[i] && (is_likeness || !is_drawn(word)) && !small.count(word) &&
-          !is_code(word))
+      if (!is_told[i] && (is_likeness || !is_drawn(word)) && !small.count(word) && !is_code(word))
         found.push_back(word);
     }
     return found;

@@ -21,10 +21,11 @@ struct Finish {
 struct SaidFinish {
   const Surface* surface = nullptr;
   bool surface_is_of_stuff = false;  ///< "oak" says boards, too
-  std::vector<Tone> names;  ///< of all words of colour
-  std::vector<Tone> tones;  ///< "cobalt and yellow" are two, "blue grey" is one
-  std::size_t grounds = 0;  ///< of the tones those before "with"
-  std::vector<std::string> unknown;  ///< words that change nothing of what is drawn, though they should
+  std::vector<Tone> names;           ///< of all words of colour
+  std::vector<Tone> tones;           ///< "cobalt and yellow" are two, "blue grey" is one
+  std::size_t grounds = 0;           ///< of the tones those before "with"
+  std::vector<std::string>
+      unknown;  ///< words that change nothing of what is drawn, though they should
 };
 SaidFinish said_finish(std::string_view description, const FinishWords& words = finish_words());
 

@@ -38,9 +38,8 @@ FinishWords::Words<RoomPart> read_parts(const JsonReader& json) {
 }
 
 Surface read_surface(const std::string& name, const JsonReader& json) {
-  json.allow_only(
-      {"names", "resembles", "alternating", "pattern", "tone", "second", "roughness", "on floors",
-       "on walls", "on ceilings"});
+  json.allow_only({"names", "resembles", "alternating", "pattern", "tone", "second", "roughness",
+                   "on floors", "on walls", "on ceilings"});
   Surface surface;
   surface.name = name;
   if (const auto pattern = json["pattern"]; pattern.exists()) {

@@ -7,7 +7,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
-#include <vector>
 
 #include "geometry/texture.h"
 #include "roomgen/base/result.h"

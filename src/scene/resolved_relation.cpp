@@ -85,9 +85,10 @@ bool is_wall(const Relation& relation, std::span<const Object> placed) {
 // What hangs on a wall is near that wall, not near one round the corner.
 bool means_wall_at_back(const Object& object, const Relation& relation,
                         std::span<const Object> placed) {
-  const bool is_near = relation.kind == RelationKind::near || relation.kind == RelationKind::next_to;
-  return is_wall(relation, placed) && (relation.kind == RelationKind::hang_from ||
-                                       (is_near && object.mount == Mount::wall));
+  const bool is_near =
+      relation.kind == RelationKind::near || relation.kind == RelationKind::next_to;
+  return is_wall(relation, placed) &&
+         (relation.kind == RelationKind::hang_from || (is_near && object.mount == Mount::wall));
 }
 
 // Of what is between two: that with which the relation is said the other time.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/json_values.h"
 #include "base/resource.h"
@@ -138,7 +138,9 @@ std::vector<std::string> motifs_on_cloth(std::string_view text) {
   return motifs;
 }
 
-bool says_letters(std::string_view word) { return motif_table().says.count(word) > 0; }
+bool says_letters(std::string_view word) {
+  return motif_table().says.count(word) > 0;
+}
 
 std::string palette_in(std::string_view words) {
   const auto found = names_said(words, motif_table().palette_of);

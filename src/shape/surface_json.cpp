@@ -46,8 +46,7 @@ Surface read_surface(const std::string& name, const JsonReader& json, const Numb
   if (std::find(patterns.begin(), patterns.end(), surface.pattern) == patterns.end() &&
       !find_motif(surface.pattern))
     json["pattern"].report("no pattern \"" + surface.pattern + "\"; there are " +
-                           join(patterns, ", ") +
-                           ", and the motifs of data/motifs.json");
+                           join(patterns, ", ") + ", and the motifs of data/motifs.json");
   surface.second = numbers.word(json["second"], "");
   if (!surface.second.empty()) require_color(json["second"], surface.second);
   surface.scale = numbers.number_or(json["scale"], 1.0, 0.05, 20.0);

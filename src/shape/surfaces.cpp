@@ -47,9 +47,8 @@ PicturePart printed(const Motif& motif, const Rgb& ground) {
   const Json figure = figure_of(motif);
   Json shapes = Json::array();
   const auto print = [&](double x, double y, double size) {
-    shapes.push_back({{"group", figure},
-                      {"at", {x - 0.5 * size, y - 0.5 * size}},
-                      {"scale", size}});
+    shapes.push_back(
+        {{"group", figure}, {"at", {x - 0.5 * size, y - 0.5 * size}}, {"scale", size}});
   };
   print(0.5, 0.5, 0.6);
   for (const int corner : {0, 1, 2, 3}) print(corner % 2, corner / 2, 0.4);

@@ -11,8 +11,8 @@ namespace roomgen {
 Error refusal(Layout& layout, const PlacementTask& task, const Layout::Candidate& candidate,
               int candidates, int feasible);
 
-/// What keeps a thing, with what comes along, from its suggested place: "; in the way at the suggested
-/// place: bed-0"; empty if nothing is found.
+/// What keeps a thing, with what comes along, from its suggested place: "; in the way at the
+/// suggested place: bed-0"; empty if nothing is found.
 std::string why_not_there(Layout& layout, const PlacementTask& task);
 
 /// What a verdict on an object says, by name: "desk-0 could not be used, for it stands before it".

@@ -372,8 +372,8 @@ class Usable(unittest.TestCase):
             (wall(), False),
             (wall(traits=("flat",)), True),
             (wall(z=2.0, h=0.7, mount="ceiling"), True),
-            (wall(z=1.75, h=0.9, mount="ceiling"), True),
-            (wall(z=1.7, h=0.9, mount="ceiling"), False),
+            (wall(z=1.76, h=0.94, mount="ceiling"), True),
+            (wall(z=1.7, h=1.0, mount="ceiling"), False),
         ):
             found = broken(scene(barrier, wardrobe, openings=DOOR))
             self.assertEqual(found, set() if free else {("usable", "wardrobe-0")})

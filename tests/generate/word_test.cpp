@@ -205,7 +205,7 @@ TEST_CASE("What could not be followed is asked about once more, and the better a
 TEST_CASE("A group that is placed anew goes whole to where it is said then") {
   int answers = 0;
   Speaker designer([&](const PlaceRequest&) {
-    return answers++ == 0 ? said("behind, wall-0", {1.5, 2.0}, 0) : said("", {3.2, 2.6}, 0);
+    return answers++ == 0 ? said("behind, wall-0", {0.1, 2.0}, 0) : said("", {3.2, 2.6}, 0);
   });
   auto plan = rooms::desk_and_stool({}, "[0.8, 0]");
   plan.groups.front().location.reset(), plan.groups.front().facing.reset();

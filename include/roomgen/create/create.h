@@ -67,8 +67,8 @@ Result<CreatedObject> create_described(const Description& description, Maker& ma
                                        const CreateOptions& options = {});
 
 /// An object whose program somebody wrote (docs/shapes.md): read, its spelling mended where it is
-/// clear what is meant, drawn as it is, and scaled to the description's size as far as that shows on
-/// nothing. No part is moved; soundness says what is clearly apart from the rest (12 mm) or tips
+/// clear what is meant, drawn as it is, and scaled to the description's size as far as that shows
+/// on nothing. No part is moved; soundness says what is clearly apart from the rest (12 mm) or tips
 /// over. It bears the description's noun, and its words as `about`. An error has the JSON pointer;
 /// notes say what is not as it was described.
 Result<CreatedObject> create_written(const std::string& program, const Description& description,

@@ -98,7 +98,7 @@ struct Replace {
   std::string category = {};     ///< empty: the same
   std::string description = {};  ///< empty: any other
   std::optional<Vec3> size = {};  ///< about so large
-  std::string program = {};  ///< that it is built by; empty: the library finds it
+  std::string program = {};       ///< that it is built by; empty: the library finds it
 
   bool operator==(const Replace&) const = default;
 };

@@ -145,7 +145,8 @@ class KindTable {
   static const KindTable& built_in();
 
   /// The kind that plans and scenes mean by a name: the name itself, another name, a plural, or the
-  /// longest known ending after a blank, no mere likeness ("oak writing desk"). Never a variant; or null.
+  /// longest known ending after a blank, no mere likeness ("oak writing desk"). Never a variant; or
+  /// null.
   const Kind* find(std::string_view name) const;
   /// Like find(); for other names the stand-in for such things, or a kind without zones or gaps.
   const Kind& get(std::string_view name) const;
