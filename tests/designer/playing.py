@@ -23,7 +23,7 @@ from pathlib import Path
 from chat_server import chat_server, text_of
 
 PLAYS = Path(__file__).resolve().parent.parent / "data/plays"
-LEAST_THINGS, LEAST_NEAR, MORE_CALLS = 0.93, 0.7, 6
+LEAST_THINGS, LEAST_NEAR, MORE_CALLS = 0.93, 0.55, 6
 NOTHING = {"things": {"things": []}, "choices": {"choices": []}, "review": {"judgement": "", "operations": []}}
 ASKED = re.compile(r"^(?:Now place )?([a-z0-9][^:\n]*-\d+): (.*?)(?:, about |; it is the middle| \(|$)", re.M)
 
