@@ -1,5 +1,6 @@
 #include "threads.h"
 
+#include <atomic>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -46,6 +47,14 @@ void on_threads(std::size_t count, const std::function<void(std::size_t thread)>
   held.run(0);
   for (auto& other : others) other.join();
   held.throw_on();
+}
+
+void share_out(std::size_t tasks, std::size_t threads,
+               const std::function<void(std::size_t thread, std::size_t task)>& work) {
+  std::atomic<std::size_t> next{0};
+  on_threads(threads, [&](std::size_t thread) {
+    for (std::size_t task; (task = next++) < tasks;) work(thread, task);
+  });
 }
 
 }  // namespace roomgen

@@ -23,6 +23,7 @@
 #include "roomgen/shape/evaluate.h"
 #include "roomgen/shape/program.h"
 #include "rule_steps.h"
+#include "scene/written_asset.h"
 #include "stock.h"
 
 namespace roomgen::create {
@@ -30,7 +31,6 @@ namespace roomgen::create {
 namespace {
 
 constexpr const char* recipe_name = "words";
-constexpr const char* program_recipe = "program";  // whose params are the program
 constexpr double created_score = 0.1;  // any real thing that fits is better
 constexpr double usual_elevation = 1.2;
 constexpr double most_over = 1.5, most_under = 0.4;  // of its kind's sizes, where one is said
@@ -144,7 +144,7 @@ Result<Model> build_program(const AssetRef& ref) {
 }
 
 Result<Model> made(const AssetRef& ref) {
-  if (ref.procedural && ref.procedural->recipe == program_recipe) return build_program(ref);
+  if (is_written(ref)) return build_program(ref);
   const auto order = order_of(ref);
   if (!order) return order.error();
   return build(*order);
@@ -176,7 +176,7 @@ class CreatedLibrary final : public AssetLibrary {
     AssetRef ref;
     ref.procedural = source_of_key(key);
     if (!ref.procedural) return AssetLibrary::find(key);
-    if (ref.procedural->recipe == program_recipe) return info_of_program(ref);
+    if (is_written(ref)) return info_of_program(ref);
     auto order = order_of(ref);
     if (!order) return Error{Error::Kind::not_found, order.error().message};
     const std::string& kind = order->kind.empty() ? order->description : order->kind;

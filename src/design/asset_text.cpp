@@ -5,6 +5,7 @@
 
 #include "library/seen_assets.h"
 #include "roomgen/base/text.h"
+#include "scene/written_asset.h"
 
 namespace roomgen::design {
 
@@ -16,7 +17,7 @@ constexpr std::array<const char*, 3> narrower = {"narrower", "shallower", "lower
 constexpr std::array<const char*, 3> wider = {"wider", "deeper", "higher"};
 
 std::string own_words(const AssetInfo& asset) {
-  if (asset.ref.procedural && !asset.name.empty() && asset.ref.procedural->recipe == "program") {
+  if (is_written(asset.ref) && !asset.name.empty()) {
     const std::string about = text_parameter(*asset.ref.procedural, "about");
     return about.empty() ? asset.name : about;
   }

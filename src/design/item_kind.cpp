@@ -5,6 +5,7 @@
 #include <set>
 
 #include "brief/brief_form.h"
+#include "kinds/mounting.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {
@@ -80,9 +81,7 @@ class Naming {
 
   bool is_near(const Kind& kind, double most) const {
     if (thing_.size && !is_about(*thing_.size, kind, most)) return false;
-    const bool is_put_otherwise =
-        thing_.mount && *thing_.mount != kind.mount &&
-        std::find(kind.also.begin(), kind.also.end(), *thing_.mount) == kind.also.end();
+    const bool is_put_otherwise = thing_.mount && !may_be_put_up(kind, *thing_.mount);
     return most > vague_size || !is_put_otherwise;
   }
 

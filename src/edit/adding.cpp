@@ -4,9 +4,11 @@
 #include "generate/retrieve.h"
 #include "generate/window_cover.h"
 #include "generate/written_thing.h"
+#include "kinds/mounting.h"
 #include "operations.h"
 #include "placing.h"
 #include "roomgen/base/text.h"
+#include "scene/written_asset.h"
 #include "solve/layout.h"
 
 namespace roomgen {
@@ -21,15 +23,12 @@ bool wants(const std::vector<Relation>& relations, RelationKind kind) {
 }
 
 Result<Mount> mount_for(const Scene& scene, const Kind& kind, const edit::Add& add) {
-  const auto may = [&](Mount mount) {
-    return kind.mount == mount || std::find(kind.also.begin(), kind.also.end(), mount) != kind.also.end();
-  };
   if (add.mount) return *add.mount;
   const bool is_free = is_of_no_kind(kind) || !add.program.empty();
   if (hook_of(scene, add.relations)) return Mount::ceiling;
   const bool rests = wants(add.relations, RelationKind::on) || wants(add.relations, RelationKind::inside);
   if (!rests) return kind.mount;
-  if (is_free || may(Mount::surface)) return Mount::surface;
+  if (is_free || may_be_put_up(kind, Mount::surface)) return Mount::surface;
   return cannot("a " + kind.name + " does not stand on other things");
 }
 
@@ -113,8 +112,7 @@ Status place_newcomer(Draft& draft, const Newcomer& newcomer, const AssetInfo& a
 const Object* drawn_twin(const Draft& draft, const PlanItem& item) {
   const Object* twin = nullptr;
   for (const auto& object : draft.scene.objects) {
-    const bool is_drawn = object.asset.procedural && object.asset.procedural->recipe == "program";
-    if (!is_drawn || object.category != item.category) continue;
+    if (!is_written(object.asset) || object.category != item.category) continue;
     if (!twin || object.description == item.description) twin = &object;
   }
   return twin;

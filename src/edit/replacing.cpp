@@ -3,6 +3,7 @@
 #include "comparison.h"
 #include "draft_changes.h"
 #include "generate/asset_task.h"
+#include "kinds/mounting.h"
 #include "library/asset_object.h"
 #include "operations.h"
 #include "roomgen/base/text.h"
@@ -163,18 +164,15 @@ void call_by_kind(Draft& draft, const std::string& old_id, const std::string& ca
 // A plant that takes the place of a vase on a table is a small one.
 const Kind& kind_instead(const KindTable& kinds, const Object& object, const std::string& category) {
   const Kind& kind = kinds.get(category.empty() ? object.category : category);
-  const bool may = kind.mount == object.mount ||
-                   std::find(kind.also.begin(), kind.also.end(), object.mount) != kind.also.end();
-  if (may || object.mount != Mount::surface || kind.forms.small.empty()) return kind;
+  if (may_be_put_up(kind, object.mount) || object.mount != Mount::surface || kind.forms.small.empty()) return kind;
   const Kind* small = kinds.by_name(kind.forms.small);
   return small ? kinds.planned(*small) : kind;
 }
 
 // What is drawn may be put up as anything is.
 Status check_mount(const Object& object, const Kind& kind, const edit::Replace& replace) {
-  const bool may = kind.mount == object.mount || !replace.program.empty() || is_of_no_kind(kind) ||
-                   std::find(kind.also.begin(), kind.also.end(), object.mount) != kind.also.end();
-  if (may) return {};
+  const bool is_free = !replace.program.empty() || is_of_no_kind(kind);
+  if (is_free || may_be_put_up(kind, object.mount)) return {};
   return cannot("a " + kind.name + " is not put up like " + object.id +
                 "; remove the one and add the other");
 }

@@ -5,6 +5,7 @@
 
 #include "library/seen_assets.h"
 #include "roomgen/base/text.h"
+#include "scene/written_asset.h"
 
 namespace roomgen {
 
@@ -36,8 +37,6 @@ bool ends_with_words(const std::string& text, const std::string& ending) {
 bool ends_with_kind(const std::string& kind, const std::string& category) {
   return ends_with_words(kind, category) && !makes_an_image(words(kind).front());
 }
-
-constexpr std::string_view drawn_recipe = "program";
 
 // "jar of flowers" is a jar.
 bool is_kind_of_something(const Identity& identity, const std::vector<std::string>& pieces) {
@@ -88,7 +87,7 @@ Identity identify(const Object& object, const Vocabulary& vocabulary) {
     identity.kind = key(kind.empty() ? asset.procedural->recipe : kind);
     identity.basis = "recipe kind " + identity.kind;
     // Who drew it says what it was drawn as.
-    if (asset.procedural->recipe == drawn_recipe)
+    if (is_written(asset))
       for (auto& word : words(object.description)) identity.words.insert(singular(std::move(word)));
   } else if (const auto* seen = seen_asset(asset)) {
     identity.kind = key(seen->kind);

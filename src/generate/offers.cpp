@@ -1,7 +1,6 @@
 #include "offers.h"
 
 #include <algorithm>
-#include <atomic>
 #include <map>
 #include <thread>
 
@@ -138,10 +137,9 @@ ModelTable models_of(const AssetLibrary& library, const std::vector<ContactSheet
       assets.emplace(asset_key(thing.object.asset), thing.object.asset);
   const std::vector<std::pair<std::string, AssetRef>> wanted(assets.begin(), assets.end());
   std::vector<std::shared_ptr<const Model>> read(wanted.size());
-  std::atomic<std::size_t> next{0};
-  on_threads(std::clamp(std::thread::hardware_concurrency(), 1u, most_threads), [&](std::size_t) {
-    for (std::size_t i; (i = next++) < wanted.size();)
-      if (auto model = load_model(library, wanted[i].second)) read[i] = *std::move(model);
+  const auto threads = std::clamp(std::thread::hardware_concurrency(), 1u, most_threads);
+  share_out(wanted.size(), threads, [&](std::size_t, std::size_t i) {
+    if (auto model = load_model(library, wanted[i].second)) read[i] = *std::move(model);
   });
   ModelTable models;
   for (std::size_t i = 0; i < wanted.size(); ++i)

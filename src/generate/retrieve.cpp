@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/written_asset.h"
+
 namespace roomgen {
 
 namespace {
@@ -65,8 +67,8 @@ std::optional<AssetInfo> chosen_for(const AssetSearch& search, const Favourites&
     chosen = known->second;
   else if (auto asset = search.library.find(item.asset))
     chosen = *std::move(asset);
-  const bool is_written = chosen && chosen->ref.procedural && chosen->ref.procedural->recipe == "program";
-  if (item.varied && planned.number > 0 && !is_written) return std::nullopt;
+  const bool is_own = chosen && is_written(chosen->ref);
+  if (item.varied && planned.number > 0 && !is_own) return std::nullopt;
   return chosen;
 }
 

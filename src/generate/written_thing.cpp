@@ -2,6 +2,7 @@
 
 #include "roomgen/base/text.h"
 #include "roomgen/create/create.h"
+#include "scene/written_asset.h"
 
 namespace roomgen {
 
@@ -16,7 +17,7 @@ Result<WrittenThing> written_thing(const AssetLibrary& library, const std::strin
   auto object = create::create_written(program, description, item.mount, options);
   if (!object) return object.error();
   AssetRef ref;
-  ref.procedural = {"program", json_line(shape::write_program(object->program)), 0};
+  ref.procedural = {program_recipe, json_line(shape::write_program(object->program)), 0};
   auto asset = library.find(asset_key(ref));
   if (!asset) return asset.error();
   asset->mount = item.mount;

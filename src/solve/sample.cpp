@@ -1,7 +1,6 @@
 #include "roomgen/solve/solve.h"
 
 #include <algorithm>
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <thread>
@@ -94,10 +93,8 @@ class Sampler {
  private:
   // Each call has a worker to itself; which one makes no difference.
   void for_each_chain(const std::function<void(Worker&, std::size_t)>& work) {
-    std::atomic<std::size_t> next = 0;
-    on_threads(workers_.size(), [&](std::size_t thread) {
-      for (std::size_t i = next++; i < chains_.size(); i = next++) work(*workers_[thread], i);
-    });
+    share_out(chains_.size(), workers_.size(),
+              [&](std::size_t thread, std::size_t i) { work(*workers_[thread], i); });
   }
 
   // The first chain starts from what is varied, the others wherever a search ends.

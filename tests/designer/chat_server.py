@@ -1,8 +1,10 @@
 """A real HTTP server that speaks the OpenAI protocol; what it answers, a function says."""
 
 import base64
+import contextlib
 import json
 import re
+import threading
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 
@@ -71,3 +73,15 @@ def chat_server(answer, model):
 
     server = ThreadingHTTPServer(("127.0.0.1", 0), Handler)
     return server, f"http://127.0.0.1:{server.server_port}/v1"
+
+
+@contextlib.contextmanager
+def serving(answer, model):
+    """The base URL of such a server while it runs."""
+    server, url = chat_server(answer, model)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    try:
+        yield url
+    finally:
+        server.shutdown()
+        server.server_close()

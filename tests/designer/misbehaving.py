@@ -8,10 +8,9 @@ the room comes out as far as its answers go, each fault is told once with its pl
 import json
 import subprocess
 import sys
-import threading
 from pathlib import Path
 
-from chat_server import chat_server, text_of
+from chat_server import serving, text_of
 
 WISH = "a study with a desk, a bookshelf and two armchairs"
 # The form before groups: no room, no openings, sizes in metres as words, colours that are none, a member nobody knows.
@@ -45,11 +44,9 @@ def asked_again(name):
 
 def main():
     roomgen, out = sys.argv[1], Path(sys.argv[2])
-    server, url = chat_server(play, "careless-1")
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    done = subprocess.run([roomgen, "generate", WISH, "-o", out, "--force", "--designer", "model", "--model", "careless-1", "--base-url", url,
-                           "--reader", "rules", "--make", "rules", "--pixels", "256"], capture_output=True, text=True)  # fmt: skip
-    server.shutdown()
+    with serving(play, "careless-1") as url:
+        done = subprocess.run([roomgen, "generate", WISH, "-o", out, "--force", "--designer", "model", "--model", "careless-1",
+                               "--base-url", url, "--reader", "rules", "--make", "rules", "--pixels", "256"], capture_output=True, text=True)  # fmt: skip
     assert done.returncode == 0, done.stderr
     told = done.stdout + done.stderr
     names = [name for name, _ in ASKED]

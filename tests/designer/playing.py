@@ -16,11 +16,10 @@ import re
 import statistics
 import subprocess
 import sys
-import threading
 import time
 from pathlib import Path
 
-from chat_server import chat_server, text_of
+from chat_server import serving, text_of
 
 PLAYS = Path(__file__).resolve().parent.parent / "data/plays"
 LEAST_THINGS, LEAST_NEAR, MORE_CALLS = 0.93, 0.55, 6
@@ -93,12 +92,10 @@ class Designer:
 
 def play_again(roomgen, play, folder):
     designer = Designer(play)
-    server, url = chat_server(designer.answer, "played")
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    done = subprocess.run([roomgen, "--json", "generate", play["wish"], "--designer", "model", "--model", "played", "--base-url", url,
-                           "--no-fallback", "--no-pictures", "--seconds", "600", "--force", "-o", str(folder)],
-                          capture_output=True, text=True)  # fmt: skip
-    server.shutdown()
+    with serving(designer.answer, "played") as url:
+        done = subprocess.run([roomgen, "--json", "generate", play["wish"], "--designer", "model", "--model", "played", "--base-url", url,
+                               "--no-fallback", "--no-pictures", "--seconds", "600", "--force", "-o", str(folder)],
+                              capture_output=True, text=True)  # fmt: skip
     assert done.returncode == 0, f"{play['wish']}: {done.stderr}"
     return designer, json.loads((folder / "scene.json").read_text())
 

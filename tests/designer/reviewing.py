@@ -7,10 +7,9 @@
 import json
 import subprocess
 import sys
-import threading
 from pathlib import Path
 
-from chat_server import chat_server, text_of
+from chat_server import serving, text_of
 
 WISH = "a study with a desk and two bookshelves"
 ASKED = []
@@ -57,11 +56,9 @@ def play(question):
 
 def main():
     roomgen, folder = sys.argv[1], Path(sys.argv[2])
-    server, url = chat_server(play, "designer-1")
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    done = subprocess.run([roomgen, "generate", WISH, "-o", folder, "--force", "--designer", "model", "--model", "designer-1", "--base-url", url,
-                           "--reader", "rules", "--choose", "off", "--pixels", "256"], capture_output=True, text=True)  # fmt: skip
-    server.shutdown()
+    with serving(play, "designer-1") as url:
+        done = subprocess.run([roomgen, "generate", WISH, "-o", folder, "--force", "--designer", "model", "--model", "designer-1",
+                               "--base-url", url, "--reader", "rules", "--choose", "off", "--pixels", "256"], capture_output=True, text=True)  # fmt: skip
     assert done.returncode == 0, done.stderr
     names = [name for name, _ in ASKED]
     assert names == ["plan", "placement", "review", "review"], names

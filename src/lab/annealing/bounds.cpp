@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include "kinds/mounting.h"
+
 namespace roomgen::lab::annealing {
 
 namespace {
@@ -89,15 +91,11 @@ Face level_face(Mount mount) {
   }
 }
 
-bool may_be(const Kind& kind, Mount mount) {
-  return kind.mount == mount || std::ranges::find(kind.also, mount) != kind.also.end();
-}
-
 // Can things of the kind be put up so? What goes only against a wall may stand there as well.
 bool may_be_put(const Kind& kind, const std::vector<const PutUp*>& relations) {
   for (const PutUp* how : relations)
     for (const Mount mount : {Mount::floor, Mount::ceiling, Mount::surface})
-      if (std::ranges::find(how->parent, level_face(mount)) != how->parent.end()) return may_be(kind, mount);
+      if (std::ranges::find(how->parent, level_face(mount)) != how->parent.end()) return may_be_put_up(kind, mount);
   return true;
 }
 

@@ -1,4 +1,3 @@
-#include <atomic>
 #include <thread>
 
 #include "base/threads.h"
@@ -45,10 +44,9 @@ Shelf fill(const StockWish& wish, const Kind& kind, const AssetLibrary& library,
 std::vector<Shelf> fill_all(const std::vector<StockWish>& wishes, const AssetLibrary& library, const KindTable& table,
                             std::size_t count) {
   std::vector<Shelf> shelves(wishes.size());
-  std::atomic<std::size_t> next{0};
-  on_threads(std::max(1u, std::thread::hardware_concurrency()), [&](std::size_t) {
-    for (std::size_t i = next++; i < wishes.size(); i = next++)
-      shelves[i] = fill(wishes[i], table.get(wishes[i].kind), library, count);
+  const auto threads = std::max(1u, std::thread::hardware_concurrency());
+  share_out(wishes.size(), threads, [&](std::size_t, std::size_t i) {
+    shelves[i] = fill(wishes[i], table.get(wishes[i].kind), library, count);
   });
   return shelves;
 }

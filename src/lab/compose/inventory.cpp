@@ -4,6 +4,7 @@
 #include <map>
 
 #include "brief/room_kinds.h"
+#include "kinds/mounting.h"
 
 namespace roomgen::lab::compose {
 
@@ -56,8 +57,7 @@ std::string set_named(const std::string& said, const SetsOfIds& sets, const std:
 
 // Programs put things up only as their kind may be.
 Mount possible_mount(const Kind& kind, Mount planned) {
-  const bool may_be = kind.mount == planned || std::ranges::find(kind.also, planned) != kind.also.end();
-  return may_be ? planned : kind.mount;
+  return may_be_put_up(kind, planned) ? planned : kind.mount;
 }
 
 Stand stand_of(const Plan& plan, const PlanItem& item, const std::vector<std::string>& ids, const SetsOfIds& sets,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "kinds/mounting.h"
+
 namespace roomgen::lab {
 
 namespace {
@@ -10,10 +12,6 @@ using Source = ProgramSet::Source;
 
 void keep_common(SetKinds::Mask& mask, const SetKinds::Mask& other) {
   for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = mask[i] && other[i];
-}
-
-bool can_be_put_up(const Kind& kind, Mount mount) {
-  return kind.mount == mount || std::find(kind.also.begin(), kind.also.end(), mount) != kind.also.end();
 }
 
 }  // namespace
@@ -64,7 +62,7 @@ const SetKinds::Mask& SetKinds::made_by(const std::string& factory) {
 }
 
 const SetKinds::Mask& SetKinds::mounted(Mount mount) {
-  return remembered(mounts_, std::string(name(mount)), [&](const Kind& kind) { return can_be_put_up(kind, mount); });
+  return remembered(mounts_, std::string(name(mount)), [&](const Kind& kind) { return may_be_put_up(kind, mount); });
 }
 
 const PutUp* SetKinds::relation(const std::string& name) const {
