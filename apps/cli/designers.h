@@ -16,6 +16,7 @@ namespace roomgen::cli {
 /// Who plans the room and suggests places.
 struct DesignerOptions {
   std::string designer = "rules";
+  std::string book, design;  ///< of the designer by book: a folder, a file
   std::string reader;  ///< who reads the wish: rules or model; empty: who designs
   std::string model, base_url, protocol, key_file, prompts, prices;
   std::string mode = "fused", frame = "plan", fusion = "scaled", order = "plan", steps = "groups";

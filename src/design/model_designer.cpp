@@ -14,6 +14,7 @@
 #include "place_reply.h"
 #include "plan/claim.h"
 #include "plan_reply.h"
+#include "planned_place.h"
 #include "together.h"
 #include "roomgen/base/text.h"
 #include "roomgen/chat/chat_model.h"
@@ -110,7 +111,7 @@ class ModelDesigner : public Designer {
     if (auto advice = told_already(request, consultation.notes)) return *std::move(advice);
     // What lies on a thing of its group is no question: it goes there as such things do.
     if (request.lost_place_in_group && request.object.mount == Mount::surface)
-      return make_rule_designer()->place(request);
+      return design::place_as_planned(request);
     if (patience_.lost().empty()) {
       auto advice = ask(request, consultation);
       if (advice) {

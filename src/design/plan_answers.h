@@ -33,6 +33,14 @@ std::string reply_group_id(const Json& group, std::size_t number);
 /// What a thing of a group is called there.
 std::string reply_part_name(const Json& thing);
 
+/// Where the designer that wrote an answer has a thing or the anchor of a group: "stands".
+struct ReplyStands {
+  std::optional<Vec2> location;
+  std::optional<double> facing;  ///< yaw, radians
+  bool at_wall = false;
+};
+ReplyStands read_reply_stands(const Json& value);
+
 /// What an answer says of surfaces, light, style and palette, in the form of docs/room.schema.json,
 /// and of openings; what cannot be so is noted and left open.
 void read_reply_look(const Json& json, Room& room, std::vector<std::string>& repairs);

@@ -122,6 +122,35 @@ void open_as_said(const Json& json, const PlanRequest& request, const brief::Roo
 
 }  // namespace
 
+Result<PlanParts> read_plan_parts(const Json& json, const PlanRequest& request,
+                                  const brief::Brief& brief, const KindTable& categories) {
+  const Json* objects = member(json, object_keys);
+  PlanParts parts;
+  auto& repairs = parts.repairs;
+  const brief::RoomKind kind =
+      kind_of_room(choose_type(json, request, brief, repairs), *brief::built_in_room_kinds());
+  const ItemLexicon lexicon{categories, kind};
+
+  const Json* said_groups = member(json, {"groups"});
+  const Json groups = said_groups ? *said_groups : Json();
+  parts.drafts = read_reply_items(objects ? *objects : Json(), groups, lexicon, repairs);
+  parts.groups = read_reply_groups(groups, lexicon, parts.drafts, repairs);
+  parts.excluded = read_excluded(json, brief, lexicon);
+  leave_out_excluded(parts.drafts, parts.excluded, categories, repairs);
+  if (parts.drafts.empty())
+    return invalid("the answer's \"objects\" name nothing that can be placed: " + join(repairs, "; "));
+  parts.room = read_reply_room(json, request, kind, brief, plan::floor_area(parts.drafts, categories), repairs);
+  plan::put_on(parts.room, brief.materials);
+  read_reply_look(json, parts.room, repairs);
+  Plan opened;
+  opened.seed = request.seed;
+  opened.room = parts.room;
+  open_as_said(json, request, kind, opened, repairs);
+  parts.room = std::move(opened.room);
+  fit_into(parts.room, parts.drafts, repairs);
+  return parts;
+}
+
 Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& request,
                                   const brief::Brief& brief, const KindTable& categories) {
   if (!brief::built_in_room_kinds()) return brief::built_in_room_kinds().error();
@@ -130,44 +159,30 @@ Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& requ
   auto found = find_json(text, plan_keys);
   if (!found) return found.error();
   const Json& json = found->json;
-  const Json* objects = member(json, object_keys);
-  if (!objects && !member(json, {"groups"}))
+  if (!member(json, object_keys) && !member(json, {"groups"}))
     return invalid(
         "the answer lists no objects; give \"objects\": [{\"name\": \"bed\", "
         "\"description\": \"…\", \"size_cm\": [160, 210, 90], \"quantity\": 1}, …]");
+  auto parts = read_plan_parts(json, request, brief, categories);
+  if (!parts) return parts.error();
+  for (auto& draft : parts->drafts) draft.item.asked = is_mentioned(draft.item, brief, categories);
 
   PlanReply reply{{}, std::move(found->repairs)};
   Plan& plan = reply.plan;
   plan.prompt = request.prompt;
   plan.seed = request.seed;
-  const brief::RoomKind kind =
-      kind_of_room(choose_type(json, request, brief, reply.repairs), *brief::built_in_room_kinds());
-  const ItemLexicon lexicon{categories, kind};
-
-  const Json* said_groups = member(json, {"groups"});
-  const Json groups = said_groups ? *said_groups : Json();
-  auto drafts = read_reply_items(objects ? *objects : Json(), groups, lexicon, reply.repairs);
-  plan.groups = read_reply_groups(groups, lexicon, drafts, reply.repairs);
-  plan.excluded = read_excluded(json, brief, lexicon);
-  leave_out_excluded(drafts, plan.excluded, categories, reply.repairs);
-  if (drafts.empty())
-    return invalid("the answer's \"objects\" name nothing that can be placed: " +
-                   join(reply.repairs, "; "));
-  for (auto& draft : drafts) draft.item.asked = is_mentioned(draft.item, brief, categories);
-  plan.room = read_reply_room(json, request, kind, brief, plan::floor_area(drafts, categories),
-                              reply.repairs);
-  plan::put_on(plan.room, brief.materials);
-  read_reply_look(json, plan.room, reply.repairs);
-  open_as_said(json, request, kind, plan, reply.repairs);
-  fit_into(plan.room, drafts, reply.repairs);
-  plan::order_items(std::move(drafts), categories, *built_in_arrangements(), plan);
-  const std::size_t noted = plan.notes.size();
+  plan.room = std::move(parts->room);
+  plan.groups = std::move(parts->groups);
+  plan.excluded = std::move(parts->excluded);
+  plan::order_items(std::move(parts->drafts), categories, *built_in_arrangements(), plan);
   composition::complete_groups(plan, categories);
-  reply.repairs.insert(reply.repairs.end(), plan.notes.begin() + static_cast<std::ptrdiff_t>(noted), plan.notes.end());
-  plan.notes.resize(noted);
+  auto& repairs = reply.repairs;
+  repairs.insert(repairs.end(), parts->repairs.begin(), parts->repairs.end());
+  repairs.insert(repairs.end(), plan.notes.begin(), plan.notes.end());
+  plan.notes.clear();
   if (const Json* idea = member(json, {"concept"}); idea && idea->is_string())
     reply.concept_text = shortened(idea->get<std::string>(), max_concept);
-  if (reply.repairs.size() > max_plan_repairs) reply.repairs.resize(max_plan_repairs);
+  if (repairs.size() > max_plan_repairs) repairs.resize(max_plan_repairs);
   return reply;
 }
 

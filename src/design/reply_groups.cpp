@@ -148,6 +148,9 @@ class GroupReader {
     else if (!read_parts(repeat)) return std::nullopt;
     if (composition_) name_leaves(), name_without();
     group_.asked = true;
+    const ReplyStands stands = read_reply_stands(json_);
+    group_.location = stands.location, group_.facing = stands.facing;
+    if (stands.at_wall) group_.relations.push_back({RelationKind::edge, ""});
     return std::move(group_);
   }
 

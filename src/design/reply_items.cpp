@@ -137,6 +137,8 @@ class ItemReader {
     if (!group_.empty()) {
       item.group = group_, item.part = reply_part_name(value);
       if (!member(value, size_keys)) item.size.reset();
+    } else {
+      read_place(value, item);
     }
     draft.mention = drafts_.size();
     if (carrier != brief::Demand::none) {
@@ -221,6 +223,15 @@ class ItemReader {
     item.mount = Mount::floor;
     item.tilt = {-lean, 0.0};
     item.relations.push_back({RelationKind::edge, ""});
+  }
+
+  // Where it stands, if the answer tells that at once.
+  static void read_place(const Json& value, PlanItem& item) {
+    const ReplyStands stands = read_reply_stands(value);
+    item.location = stands.location, item.facing = stands.facing;
+    if (stands.at_wall && item.mount == Mount::floor) item.relations.push_back({RelationKind::edge, ""});
+    if (const Json* spare = member(value, {"spare"}); spare && spare->is_number())
+      item.spare = std::clamp(spare->get<int>(), 0, 99);
   }
 
   // Of a thing of a group: where it is says its pattern.

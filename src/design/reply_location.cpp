@@ -2,7 +2,9 @@
 #include <nlohmann/json.hpp>
 
 #include "brief/reply_measure.h"
+#include "chat/loose_json.h"
 #include "place_answers.h"
+#include "plan_answers.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::design {
@@ -117,6 +119,18 @@ std::optional<Vec2> read_reply_location(const Json& value, const Polygon& room, 
   }
   notes.lose("the location " + as_text(given->point) + " lies outside the room");
   return std::nullopt;
+}
+
+ReplyStands read_reply_stands(const Json& value) {
+  ReplyStands stands;
+  const Json* said = value.is_object() ? member(value, {"stands"}) : nullptr;
+  if (!said || !said->is_object()) return stands;
+  if (const Json* at = member(*said, {"location"}))
+    if (const auto given = read_given(*at)) stands.location = given->point;
+  if (const Json* yaw = member(*said, {"yaw deg"}); yaw && yaw->is_number())
+    stands.facing = wrap_angle(radians(yaw->get<double>()));
+  stands.at_wall = said->value("wall", false);
+  return stands;
 }
 
 }  // namespace roomgen::design

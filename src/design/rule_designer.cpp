@@ -1,88 +1,28 @@
-#include "roomgen/design/designer.h"
-
-#include "brief/prompt_words.h"
-#include "brief/room_kinds.h"
 #include "brief/said_wish.h"
-#include "language/foreign.h"
 #include "plan/planning.h"
-#include "roomgen/base/text.h"
-#include "scene/judgement.h"
+#include "planned_place.h"
+#include "roomgen/design/designer.h"
 #include "solve/arrangement.h"
+#include "wish_check.h"
 
 namespace roomgen {
 
 namespace {
 
-
-Error invalid(const std::string& message) {
-  return {Error::Kind::invalid_input, message};
-}
-
-Status check_request(const PlanRequest& request) {
-  if (trim(request.prompt).empty())
-    return invalid("the prompt is empty; say what room you want, as in \"a cosy bedroom for two\"");
-  if (request.prompt.size() > max_prompt_bytes)
-    return Error{Error::Kind::limit, "the prompt has " + std::to_string(request.prompt.size()) +
-                                         " bytes; at most " + std::to_string(max_prompt_bytes) +
-                                         " are read"};
-  if (request.size && !request.room)
-    for (double side : {request.size->x(), request.size->y()})
-      if (!(side >= least_room_side && side <= greatest_room_side))
-        return invalid("a room of " + format_number(request.size->x()) + " x " +
-                       format_number(request.size->y()) + " m: sides must be from " +
-                       format_number(least_room_side) + " to " + format_number(greatest_room_side) + " m");
-  if (request.room) return check(*request.room);
-  return {};
-}
-
-// Furnishing a room that nobody asked for would be worse than saying so.
-Status check_understood(const PlanRequest& request, const brief::Brief& brief) {
-  const auto tokens = language::tokenize(request.prompt, brief::max_tokens);
-  const brief::SaidWish* read = brief::reading_of(request);
-  const auto foreign =
-      read && read->is_by_model ? std::nullopt : language::foreign_language(tokens);
-  if (foreign)
-    return Error{Error::Kind::not_understood,
-                 "the prompt seems to be " + foreign->name + ". " + foreign->refusal};
-  if (request.room && !request.room->type.empty()) return {};
-  if (brief.understood) return {};
-  return Error{Error::Kind::not_understood,
-               "no word of the prompt names a room or a thing: say what room you want in English, "
-               "as in \"a cosy bedroom for two\", or let a language model read it (--model)"};
-}
-
 class RuleDesigner : public Designer {
  public:
   Result<Plan> plan(const PlanRequest& request) override {
-    if (auto ready = check_knowledge(); !ready) return ready.error();
-    if (auto status = check_request(request); !status) return status.error();
+    if (auto ready = design::check_knowledge(); !ready) return ready.error();
+    if (auto status = design::check_request(request); !status) return status.error();
     const brief::Brief brief =
         brief::brief_of(request, *brief::built_in_room_kinds(), KindTable::built_in());
-    if (auto status = check_understood(request, brief); !status) return status.error();
+    if (auto status = design::check_understood(request, brief); !status) return status.error();
     return plan::make_plan(request, brief, *brief::built_in_room_kinds(), KindTable::built_in(),
                      *built_in_arrangements());
   }
 
   Result<PlaceAdvice> place(const PlaceRequest& request) override {
-    if (auto ready = check_knowledge(); !ready) return ready.error();
-    if (request.planned.item >= request.plan.items.size())
-      return invalid("\"" + request.planned.id + "\" is no item of the plan");
-    const PlanItem& item = request.plan.items[request.planned.item];
-    PlaceAdvice advice;
-    advice.relations =
-        known_relations(item.relations, request.scene.room, request.scene.objects);
-    advice.location = item.location;
-    advice.yaw = item.facing;
-    advice.usual = true;
-    return advice;
-  }
-
- private:
-  static Status check_knowledge() {
-    if (!brief::built_in_room_kinds()) return brief::built_in_room_kinds().error();
-    if (!brief::built_in_vocabulary()) return brief::built_in_vocabulary().error();
-    if (!built_in_arrangements()) return built_in_arrangements().error();
-    return {};
+    return design::place_as_planned(request);
   }
 };
 

@@ -72,8 +72,10 @@ class Fitting {
   std::map<std::string, PartCounts> known_;  ///< by composition and values
 };
 
-/// In no group yet.
-inline bool is_free(const Draft& draft) { return draft.item.group.empty() && draft.item.quantity > 0; }
+/// In no group yet, and without a place of its own.
+inline bool is_free(const Draft& draft) {
+  return draft.item.group.empty() && !draft.item.location && draft.item.quantity > 0;
+}
 /// Whether it takes its place together with the anchor; what is on others does so after them.
 inline bool is_placed_with_anchor(Mount mount) { return mount != Mount::surface; }
 

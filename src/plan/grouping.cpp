@@ -388,6 +388,10 @@ Grouping::Floor Grouping::floor_of(std::vector<Draft> drafts, const brief::Brief
 void Grouping::run(std::vector<Draft>& drafts, const brief::Brief& brief, Plan& plan) {
   plan.groups.clear();
   for (auto& draft : drafts) draft.item.group.clear(), draft.item.part.clear();
+  gather(drafts, brief, plan);
+}
+
+void Grouping::gather(std::vector<Draft>& drafts, const brief::Brief& brief, Plan& plan) {
   if (composition::built_in_compositions()) Gatherer(fitting_, kinds_, arrangements_, drafts, brief, plan).run();
 }
 

@@ -26,6 +26,8 @@ class Grouping {
   /// to stand in rows, in a circle or an arc, and many of what usually stands in rows, becomes a
   /// block, with what belongs to each; in a room it is told where it stands.
   void run(std::vector<Draft>& drafts, const brief::Brief& brief, Plan& plan);
+  /// The same with the drafts that are in no group and have no place, besides the plan's groups.
+  void gather(std::vector<Draft>& drafts, const brief::Brief& brief, Plan& plan);
 
  private:
   const KindTable& kinds_;

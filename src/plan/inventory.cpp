@@ -374,7 +374,8 @@ void one_for_each_window(std::vector<Draft>& drafts, const brief::Brief& brief, 
   for (auto& draft : drafts) {
     if (draft.mention == brief::Demand::none || !table.get(draft.item.category).covers_window)
       continue;
-    if (brief.mentions[draft.mention].open) draft.item.quantity = std::max(1, windows);
+    const bool is_of_design = draft.mention >= brief.mentions.size();
+    if (is_of_design || brief.mentions[draft.mention].open) draft.item.quantity = std::max(1, windows);
   }
 }
 

@@ -254,7 +254,10 @@ std::vector<Draft> order_items(std::vector<Draft> drafts, const KindTable& table
   for (const auto& draft : drafts) plan.items.push_back(draft.item);
   Resolver resolver(drafts, plan);
   for (std::size_t i = 0; i < drafts.size(); ++i)
-    plan.items[i].relations = resolver.relations_of(drafts[i]);
+    for (auto& relation : resolver.relations_of(drafts[i])) {
+      auto& own = plan.items[i].relations;
+      if (std::find(own.begin(), own.end(), relation) == own.end()) own.push_back(std::move(relation));
+    }
   return drafts;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -231,6 +232,18 @@ inline constexpr std::size_t max_prompt_bytes = 100'000;
 /// room and a note. place() keeps no state: equal requests give equal advice, and each refusal in the
 /// request makes it give up more of its own wishes.
 std::unique_ptr<Designer> make_rule_designer();
+
+/// Where a designer by book takes its designs from (docs/designs.md).
+struct BookOptions {
+  std::filesystem::path folder = {};  ///< of further designs, which go before the built-in ones
+  std::filesystem::path design = {};  ///< a file: this design and no other
+  LogSink log = {};                   ///< told of files of the folder that are no designs
+};
+
+/// A designer that needs no language model: it reads English prompts with a small grammar, takes the design of
+/// data/designs that serves the wish best, fits it to the room and puts what the wish asks for into it. Otherwise
+/// as make_rule_designer().
+Result<std::unique_ptr<Designer>> make_book_designer(const BookOptions& options = {});
 
 /// The plan of a dwelling, if the prompt asks for several rooms (docs/dwellings.md) and the request
 /// gives neither a floor plan nor a size of one room; else nothing. The rooms are laid out by

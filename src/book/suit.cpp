@@ -1,0 +1,121 @@
+#include "suit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "scene/wall_sides.h"
+
+namespace roomgen::book {
+
+namespace {
+
+constexpr double of_door = 4.0, of_window = 1.5, of_outside = 3.0, of_narrow = 2.0, of_unlike = 0.5;
+constexpr const char* sides[] = {"south", "east", "north", "west"};
+
+/// An opening as seen from the box of its room.
+struct Seen {
+  int side = 0;      ///< south, east, north, west
+  double at = 0.5;   ///< part of the way along the box, counter-clockwise
+  double width = 1.0;
+  double sill = 0.0;
+  bool is_window = false;
+};
+
+std::vector<Seen> seen_in(const Room& room) {
+  const Bounds2 box = bounds(room.polygon);
+  std::vector<Seen> all;
+  for (const auto& opening : room.openings) {
+    const Vec2 out = -inward(room, opening);
+    const Segment hole = segment(room, opening);
+    const Vec2 middle = 0.5 * (hole.a + hole.b) - box.low, size = box.size();
+    Seen seen{0, 0.5, opening.width(), opening.sill, !opening.is_entrance()};
+    if (std::abs(out.x()) > std::abs(out.y())) seen.side = out.x() > 0.0 ? 1 : 3, seen.at = middle.y() / size.y();
+    else seen.side = out.y() > 0.0 ? 2 : 0, seen.at = middle.x() / size.x();
+    if (seen.side >= 2) seen.at = 1.0 - seen.at;
+    all.push_back(seen);
+  }
+  return all;
+}
+
+// In the frame of a design that is mirrored and turned.
+Json told_back(std::vector<Seen> seen, const Setting& setting) {
+  Json openings = Json::array();
+  for (auto& one : seen) {
+    one.side = (one.side - setting.turns + 4) % 4;
+    if (setting.is_mirrored) {
+      if (one.side % 2 == 1) one.side = 4 - one.side;
+      one.at = 1.0 - one.at;
+    }
+    openings.push_back({{"kind", one.is_window ? "window" : "door"}, {"wall", sides[one.side]}, {"at", one.at}, {"width", one.width}});
+  }
+  return openings;
+}
+
+// Of what stands: its width, height and place; the first thing of a group is its anchor.
+double conflicts(const Json& one, const std::vector<Seen>& seen, const Room& room) {
+  if (!one.contains("stands") || !one["stands"].contains("location")) return 0.0;
+  const Bounds2 box = bounds(room.polygon);
+  const Vec2 at(one["stands"]["location"][0].get<double>(), one["stands"]["location"][1].get<double>());
+  double fault = contains(room.polygon, box.low + at) ? 0.0 : of_outside;
+  if (!one["stands"].value("wall", false)) return fault;
+  const Json* thing = one.contains("things") && !one["things"].empty() ? &one["things"].front() : &one;
+  const Json size = thing->value("size_cm", Json::array({60, 60, 100}));
+  const bool is_sized = size.is_array() && size.size() == 3 && size[0].is_number() && size[2].is_number();
+  const double half = is_sized ? size[0].get<double>() / 200.0 : 0.3, height = is_sized ? size[2].get<double>() / 100.0 : 1.0;
+  const Vec2 extent = box.size();
+  const double distances[] = {at.y(), extent.x() - at.x(), extent.y() - at.y(), at.x()};
+  const auto side = static_cast<int>(std::min_element(distances, distances + 4) - distances);
+  for (const auto& opening : seen) {
+    if (opening.side != side) continue;
+    const double length = side % 2 == 0 ? extent.x() : extent.y();
+    double along = length * opening.at;
+    if (side >= 2) along = length - along;
+    const double own = side % 2 == 0 ? at.x() : at.y();
+    if (std::abs(own - along) >= half + 0.5 * opening.width) continue;
+    if (!opening.is_window) fault += of_door;
+    else if (height > opening.sill + window_overlap) fault += of_window;
+  }
+  return fault;
+}
+
+double unlike(const Design& design, const Json& openings) {
+  double fault = 0.0;
+  for (const auto& own : design.body.value("openings", Json::array())) {
+    const bool is_window = own.value("kind", std::string()).find("window") != std::string::npos;
+    const bool is_met = std::any_of(openings.begin(), openings.end(), [&](const Json& other) {
+      return (other["kind"] == "window") == is_window && other["wall"] == own.value("wall", Json());
+    });
+    if (!is_met) fault += of_unlike * (is_window ? 1.0 : 2.0);
+  }
+  return fault;
+}
+
+}  // namespace
+
+void suit(const Design& design, const Room& room, Setting& setting) {
+  const auto seen = seen_in(room);
+  const Vec2 usual = usual_size(design, setting.values);
+  double least = std::numeric_limits<double>::infinity();
+  Setting best = setting;
+  for (int turns = 0; turns < 4; ++turns)
+    for (const bool is_mirrored : {false, true}) {
+      Setting tried = setting;
+      tried.turns = turns, tried.is_mirrored = is_mirrored;
+      tried.openings = told_back(seen, tried);
+      const auto answer = answer_of(design, tried);
+      if (!answer) continue;
+      double fault = unlike(design, tried.openings);
+      for (const char* list : {"groups", "objects"})
+        for (const auto& one : answer->value(list, Json::array()))
+          if (one.is_object()) fault += conflicts(one, seen, room) * (one.contains("spare") ? 0.5 : 1.0);
+      const Vec2 size = turns % 2 == 0 ? setting.size : Vec2(setting.size.y(), setting.size.x());
+      fault += of_narrow * (usual - size).cwiseMax(0.0).sum();
+      if (fault >= least) continue;
+      least = fault, best = std::move(tried);
+    }
+  setting = std::move(best);
+}
+
+}  // namespace roomgen::book
