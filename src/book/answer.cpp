@@ -45,6 +45,8 @@ class Filling {
       const std::string inner = pointer + "/" + key;
       if (json.is_array()) {
         if (is_there(value, inner)) result.push_back(filled(value, inner, is_number));
+      } else if (key == "program") {
+        result[key] = only_worded(value);
       } else if (key == "with" && value.is_object()) {
         result[key] = settings(value, inner);
       } else if (key != "when") {
@@ -67,6 +69,15 @@ class Filling {
     if (value) return *value;
     if (!error_) error_ = wrong(source_, pointer + ": " + value.error().message);
     return 0.0;
+  }
+
+  // Shape programs have formulas of their own.
+  Json only_worded(const Json& json) const {
+    if (json.is_string()) return worded(json);
+    if (!json.is_structured()) return json;
+    Json result = json;
+    for (auto& value : result) value = only_worded(value);
+    return result;
   }
 
   // Choices of a composition are words.

@@ -7,7 +7,9 @@
 #include "chat/loose_json.h"
 #include "item_kind.h"
 #include "plan_answers.h"
+#include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
+#include "scene/written_asset.h"
 
 namespace roomgen::design {
 
@@ -134,6 +136,7 @@ class ItemReader {
                                text_in(variance).starts_with("diff"));
     std::string on = group_.empty() ? read_mount(value, item) : usual_mount(item);
     read_height(value, item);
+    read_asset(value, item);
     if (!group_.empty()) {
       item.group = group_, item.part = reply_part_name(value);
       if (!member(value, size_keys)) item.size.reset();
@@ -232,6 +235,17 @@ class ItemReader {
     if (stands.at_wall && item.mount == Mount::floor) item.relations.push_back({RelationKind::edge, ""});
     if (const Json* spare = member(value, {"spare"}); spare && spare->is_number())
       item.spare = std::clamp(spare->get<int>(), 0, 99);
+  }
+
+  // What it shall be: the key of an asset, or a shape program.
+  static void read_asset(const Json& value, PlanItem& item) {
+    const Json* asset = member(value, {"asset"});
+    if (asset && asset->is_string()) item.asset = asset->get<std::string>();
+    const Json* program = member(value, {"program"});
+    if (!program || !program->is_object()) return;
+    AssetRef written;
+    written.procedural = {program_recipe, json_line(*program), 0};
+    item.asset = asset_key(written);
   }
 
   // Of a thing of a group: where it is says its pattern.
