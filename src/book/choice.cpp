@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "brief/room_kinds.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::book {
@@ -13,7 +14,7 @@ namespace {
 
 // What the terms are worth, by judgement: of another kind of room than is wished for is only what
 // nothing else serves.
-constexpr double of_kind = 20.0, of_named_words = 4.0, of_size = 4.0, of_people = 3.0, of_word = 1.5,
+constexpr double of_kind = 20.0, of_first_name = 1.0, of_named_word = 1.0, of_size = 4.0, of_people = 3.0, of_word = 1.5,
                  of_thing = 1.0;
 constexpr double most_of_words = 6.0, most_of_things = 6.0;
 
@@ -59,16 +60,22 @@ std::set<std::string> things_of(const Design& design) {
 /// What a wish says, as words between spaces.
 std::string padded(const std::string& text) { return " " + join(words(text), " ") + " "; }
 
+// What the names of rooms mean; a name that nobody knows means itself.
+std::string meant(const std::string& name) {
+  static const brief::RoomNames names = brief::room_names(*brief::built_in_room_kinds());
+  const auto known = names.find(join(words(name), " "));
+  return known == names.end() ? join(words(name), " ") : known->second;
+}
+
+// Of the wish's kind, rather by the very name that the wish has for it.
 double kind_score(const Design& design, const Wanted& wanted, const std::string& wish) {
   double best = 0.0;
-  const std::string type = padded(wanted.type);
-  for (const auto& room : design.rooms) {
-    const std::string name = padded(room);
-    const auto length = static_cast<double>(words(room).size());
-    if (name == type) best = std::max(best, of_kind + 2.0);
-    // "record shop" of a wish whose room is known as a shop
-    if (wish.find(name) != std::string::npos && length > 1.0) best = std::max(best, of_kind + of_named_words * (length - 1.0));
-    else if (type.find(name) != std::string::npos) best = std::max(best, of_kind);
+  for (std::size_t i = 0; i < design.rooms.size(); ++i) {
+    const std::string& name = design.rooms[i];
+    if (meant(name) != wanted.type) continue;
+    const bool is_said = wish.find(padded(name)) != std::string::npos;
+    const double first = i == 0 ? of_first_name : 0.0;
+    best = std::max(best, of_kind + first + (is_said ? of_named_word * static_cast<double>(words(name).size()) : 0.0));
   }
   return best;
 }

@@ -63,8 +63,8 @@ void try_definition(const PlanGroup& group, const std::string& part, int number,
   };
   for (std::size_t i = 0; i < (*json)["parts"].size(); ++i) {
     const Json& one = (*json)["parts"][i];
-    if (one.contains("group"))
-      for (const auto& [name, value] : one.value("with", Json::object()).items())
+    const Json with = one.contains("group") ? one.value("with", Json::object()) : Json::object();
+    for (const auto& [name, value] : with.items())
         for (int count = 1; count <= std::min(number, most_tried); ++count) {
           Json changed = *json;
           changed["parts"][i]["with"][name] = count;

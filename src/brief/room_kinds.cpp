@@ -1,10 +1,12 @@
 #include "room_kinds.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/json_reader.h"
 #include "base/resource.h"
 #include "roomgen/base/json.h"
+#include "roomgen/base/text.h"
 
 namespace roomgen::brief {
 
@@ -183,9 +185,58 @@ Result<RoomKinds> parse_room_kinds(std::string_view text, const std::string& sou
   return kinds;
 }
 
+namespace {
+
+// The rooms that a design is for: the first list of its file that is called so.
+std::vector<std::string> rooms_of_design(std::string_view text) {
+  const std::size_t key = text.find("\"for\""), open = text.find('[', key), close = text.find(']', open);
+  if (key == std::string_view::npos || close == std::string_view::npos) return {};
+  const auto list = parse_json(text.substr(open, close - open + 1), "for");
+  std::vector<std::string> rooms;
+  for (const auto& one : list ? *list : Json::array())
+    if (one.is_string()) rooms.push_back(join(words(one.get<std::string>()), " "));
+  return rooms;
+}
+
+// A kind that only the book knows is like the one that it is a sort of: a sushi bar is a bar.
+RoomKind kind_of_book(const std::string& name, const RoomNames& names, const RoomKinds& kinds) {
+  RoomKind kind = kinds.any;
+  for (std::size_t space = name.find(' '); space != std::string::npos; space = name.find(' ', space + 1))
+    if (const auto known = names.find(name.substr(space + 1)); known != names.end()) {
+      kind = kinds.get(known->second);
+      break;
+    }
+  for (auto* list : {&kind.names, &kind.leading, &kind.alone, &kind.purposes, &kind.instead_of}) list->clear();
+  kind.core.clear(), kind.extras.clear(), kind.details.clear();
+  kind.known_by.emplace();
+  kind.type = name;
+  return kind;
+}
+
+}  // namespace
+
+void add_rooms_of_design(const std::vector<std::string>& rooms, RoomNames& names, RoomKinds& kinds) {
+  if (rooms.empty()) return;
+  const auto first = names.find(rooms.front());
+  const std::string type = first == names.end() ? rooms.front() : first->second;
+  if (first == names.end()) kinds.types[type] = kind_of_book(type, names, kinds);
+  RoomKind& kind = kinds.types[type];
+  for (const auto& name : rooms) {
+    if (!names.try_emplace(name, type).second) continue;
+    if (name != type) kind.names.push_back(name);
+    // A crypt is one wherever it is named, a piano bank is none.
+    if (name.find(' ') == std::string::npos) kind.alone.push_back(name);
+  }
+}
+
 const Result<RoomKinds>& built_in_room_kinds() {
-  static const auto kinds =
-      parse_room_kinds(resource("data/rooms.json").value_or("{}"), "data/rooms.json");
+  static const auto kinds = []() -> Result<RoomKinds> {
+    auto all = parse_room_kinds(resource("data/rooms.json").value_or("{}"), "data/rooms.json");
+    if (!all) return all;
+    RoomNames names = room_names(*all);
+    for (const auto path : resources("data/designs/")) add_rooms_of_design(rooms_of_design(*resource(path)), names, *all);
+    return all;
+  }();
   return kinds;
 }
 

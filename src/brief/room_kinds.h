@@ -109,7 +109,12 @@ struct RoomKinds {
 };
 
 Result<RoomKinds> parse_room_kinds(std::string_view text, const std::string& source);
-/// The knowledge compiled into the library.
+/// Kinds of rooms by all their names, in words parted by single spaces.
+using RoomNames = std::map<std::string, std::string, std::less<>>;
+RoomNames room_names(const RoomKinds& kinds);
+/// Makes the rooms that a design is for known by name: as what the first of them is, or a kind of its own.
+void add_rooms_of_design(const std::vector<std::string>& rooms, RoomNames& names, RoomKinds& kinds);
+/// The knowledge compiled into the library, with the rooms of data/designs.
 const Result<RoomKinds>& built_in_room_kinds();
 
 }  // namespace roomgen::brief

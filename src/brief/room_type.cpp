@@ -126,8 +126,6 @@ void read_leading_noun(std::vector<Token>& tokens, const language::Parse& parse,
   collect_styles(tokens, first, kinds, words, brief);
 }
 
-using RoomNames = std::map<std::string, std::string, std::less<>>;
-
 /// A name of a kind of room.
 struct NamedRoom {
   std::size_t at = 0, length = 0;  ///< tokens
@@ -246,7 +244,7 @@ RoomNames names_by(const RoomKinds& kinds, std::vector<std::string> RoomKind::*l
 
 }  // namespace
 
-std::map<std::string, std::string, std::less<>> room_names(const RoomKinds& kinds) {
+RoomNames room_names(const RoomKinds& kinds) {
   RoomNames names = names_by(kinds, &RoomKind::names);
   for (const auto& [type, kind] : kinds.types)
     if (std::find(kind.leading.begin(), kind.leading.end(), type) == kind.leading.end())

@@ -13,9 +13,6 @@ namespace roomgen::brief {
 /// Of a plan that names no room.
 inline constexpr const char* default_room_type = "living room";
 
-/// The kinds of rooms by all their names, in words parted by single spaces.
-std::map<std::string, std::string, std::less<>> room_names(const RoomKinds& kinds);
-
 /// Finds what room the prompt speaks of: a known kind by any of its names, rather one that is the
 /// head of its noun phrase ("a theatre poster in the bedroom"), or else words such as "boat house"
 /// or "a brewery with …". Every name of the room, and of others that are heads, becomes one token;
