@@ -18,7 +18,7 @@ const Result<Book>& built_in_book() {
     for (const auto path : resources("data/designs/")) {
       const auto json = parse_json(*resource(path), std::string(path));
       if (!json) return json.error();
-      auto design = read_design(*json, std::string(path));
+      auto design = parse_design(*json, std::string(path));
       if (!design) return design.error();
       found.designs.push_back(*std::move(design));
     }

@@ -20,7 +20,7 @@ class BookDesigner : public Designer {
     if (auto status = design::check_request(request); !status) return status.error();
     const brief::Brief brief =
         brief::brief_of(request, *brief::built_in_room_kinds(), KindTable::built_in());
-    if (auto status = design::check_understood(request, brief); !status) return status.error();
+    if (auto status = design::check_understood(request, brief); !status && !is_own_alone_) return status.error();
     std::vector<const book::Design*> designs;
     for (const auto& design : own_.designs) designs.push_back(&design);
     if (!is_own_alone_) {

@@ -14,9 +14,9 @@ namespace {
 
 // What the terms are worth, by judgement: of another kind of room than is wished for is only what
 // nothing else serves.
-constexpr double of_kind = 20.0, of_first_name = 1.0, of_named_word = 1.0, of_size = 4.0, of_people = 3.0, of_word = 1.5,
+constexpr double of_kind = 20.0, of_first_name = 1.0, of_type = 1.0, of_said_name = 3.0, of_further_word = 2.5, of_size = 4.0, of_people = 3.0, of_word = 2.0,
                  of_thing = 1.0;
-constexpr double most_of_words = 6.0, most_of_things = 6.0;
+constexpr double most_of_words = 8.0, most_of_things = 6.0;
 
 bool is_set(const Parameter& parameter, const Values& values) { return values.count(parameter.name) > 0; }
 
@@ -63,19 +63,20 @@ std::string padded(const std::string& text) { return " " + join(words(text), " "
 // What the names of rooms mean; a name that nobody knows means itself.
 std::string meant(const std::string& name) {
   static const brief::RoomNames names = brief::room_names(*brief::built_in_room_kinds());
-  const auto known = names.find(join(words(name), " "));
-  return known == names.end() ? join(words(name), " ") : known->second;
+  const auto known = names.find(name);
+  return known == names.end() ? name : known->second;
 }
 
 // Of the wish's kind, rather by the very name that the wish has for it.
 double kind_score(const Design& design, const Wanted& wanted, const std::string& wish) {
   double best = 0.0;
   for (std::size_t i = 0; i < design.rooms.size(); ++i) {
-    const std::string& name = design.rooms[i];
-    if (meant(name) != wanted.type) continue;
-    const bool is_said = wish.find(padded(name)) != std::string::npos;
-    const double first = i == 0 ? of_first_name : 0.0;
-    best = std::max(best, of_kind + first + (is_said ? of_named_word * static_cast<double>(words(name).size()) : 0.0));
+    const std::string name = brief::room_name(design.rooms[i]);
+    if (meant(name) != wanted.type && name != wanted.type) continue;
+    const bool is_said = wish.find(" " + name + " ") != std::string::npos;
+    double score = of_kind + (i == 0 ? of_first_name : 0.0) + (name == wanted.type ? of_type : 0.0);
+    if (is_said) score += of_said_name + of_further_word * static_cast<double>(words(name).size() - 1);
+    best = std::max(best, score);
   }
   return best;
 }
@@ -137,7 +138,7 @@ Values values_for(const Design& design, const Wanted& wanted, const KindTable& k
 
 std::vector<Candidate> candidates(const std::vector<const Design*>& designs, const Wanted& wanted,
                                   const KindTable& kinds) {
-  const std::string wish = padded(brief::words_of(wanted.brief));
+  const std::string wish = " " + brief::room_name(brief::words_of(wanted.brief)) + " ";
   std::vector<Candidate> all;
   for (const Design* design : designs) {
     Candidate one;
@@ -146,6 +147,7 @@ std::vector<Candidate> candidates(const std::vector<const Design*>& designs, con
                  people = people_score(*design, wanted.brief), word = word_score(*design, wanted, wish),
                  thing = thing_score(*design, wanted.brief, kinds);
     one.is_of_kind = kind >= of_kind;
+    one.things = thing;
     one.score = kind + size + people + word + thing;
     one.why = "kind " + format_number(kind, 1) + ", size " + format_number(size, 1) + ", people " + format_number(people, 1) +
               ", words " + format_number(word, 1) + ", things " + format_number(thing, 1);

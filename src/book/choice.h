@@ -14,6 +14,7 @@ struct Candidate {
   const Design* design = nullptr;
   Values values;        ///< set by the wish
   double score = 0.0;
+  double things = 0.0;      ///< asked for that it has
   bool is_of_kind = false;  ///< it is a design of the room that the wish names
   std::string why;      ///< the terms of the score, for people
 };

@@ -76,7 +76,7 @@ Vec2 usual_size(const Design& design, const Values& values) {
   return size;
 }
 
-Result<Design> read_design(const Json& json, const std::string& source) {
+Result<Design> parse_design(const Json& json, const std::string& source) {
   JsonReader::Problems problems(source);
   const JsonReader root(json, problems);
   root.allow_only({"format", "version", "name", "for", "words", "concept", "parameters", "size_m",
@@ -84,7 +84,8 @@ Result<Design> read_design(const Json& json, const std::string& source) {
   if (root["format"].text_or("roomgen-design") != "roomgen-design") root["format"].report("expected \"roomgen-design\"");
   auto anything = Expression::compile("1");
   Design design{root["name"].text(200), texts_of(root["for"]), texts_of(root["words"]), {}, {*anything, *anything},
-                Vec2::Ones(), Vec2::Ones(), {}, {}, source};
+                Vec2::Ones(), Vec2::Ones(), {}, {}, source, false};
+  design.is_plain = root["groups"].elements_or_none(60).empty();
   if (design.rooms.empty()) root["for"].report("say of what kinds of rooms it is a design");
   if (const auto parameters = root["parameters"]; parameters.exists())
     for (const auto& [name, value] : parameters.members())
@@ -102,11 +103,17 @@ Result<Design> read_design(const Json& json, const std::string& source) {
   design.body = json;
   for (const char* member : own_members) design.body.erase(member);
   if (design.body.contains("room")) design.body["room"].erase("palettes");
+  return design;
+}
+
+Result<Design> read_design(const Json& json, const std::string& source) {
+  auto design = parse_design(json, source);
+  if (!design) return design;
   Setting setting;
-  setting.values = default_values(design);
-  setting.size = usual_size(design, setting.values);
-  if (!design.palettes.empty()) setting.palette = design.palettes.front();
-  if (const auto answer = answer_of(design, setting); !answer) return answer.error();
+  setting.values = default_values(*design);
+  setting.size = usual_size(*design, setting.values);
+  if (!design->palettes.empty()) setting.palette = design->palettes.front();
+  if (const auto answer = answer_of(*design, setting); !answer) return answer.error();
   return design;
 }
 

@@ -37,10 +37,13 @@ struct Design {
   std::vector<Json> palettes;
   Json body;           ///< the plan's form, with formulas, without the members above
   std::string source;  ///< its file
+  bool is_plain = false;  ///< it holds hardly anything: for rooms that no design is of
 };
 
 /// Located errors for what is not of the form; formulas are compiled and tried with the defaults.
 Result<Design> read_design(const Json& json, const std::string& source);
+/// The same without trying the formulas, for designs that are known to be sound.
+Result<Design> parse_design(const Json& json, const std::string& source);
 Result<Design> read_design(const std::filesystem::path& path);
 
 /// The room's usual size with these values of the parameters.

@@ -79,8 +79,10 @@ class Merging {
   bool is_beyond(const Draft& draft) const {
     if (draft.item.asked) return false;
     const auto& category = draft.item.category;
+    const bool covers_window = kinds_.get(category).covers_window;
     return std::any_of(brief_.mentions.begin(), brief_.mentions.end(),
                        [&](const brief::Mention& mention) {
+                         if (covers_window && kinds_.get(mention.category).covers_window) return true;
                          return mention.counted && !mention.at_least && mention.owner.empty() &&
                                 !mention.contradicts && kinds_.is_a(category, mention.category);
                        }) ||

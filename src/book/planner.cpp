@@ -32,12 +32,13 @@ using plan::Draft;
 
 constexpr int most_attempts = 5;
 constexpr double growth = 1.06;          ///< of the sides from attempt to attempt
-constexpr double about_as_good = 2.5;    ///< of the score: by seed another design
+constexpr double about_as_good = 2.0;    ///< of the score: by seed another design
 constexpr double floor_beside = 2.2;     ///< of a thing that is added: its floor with what is around it
 constexpr double none_of_its_kind = 1e6;
 constexpr double of_asked = 20.0, of_design = 5.0, of_spare = 1.0, of_broken = 2.0;  ///< faults
 constexpr std::size_t most_dry_run = 160;  ///< things; larger plans are taken as they are
 constexpr std::size_t most_designs_tried = 2;
+constexpr double enough_things = 3.0;  ///< asked for that a design of another kind has, to be taken
 
 /// One plan and what was wrong with it.
 struct Attempt {
@@ -59,10 +60,11 @@ struct Try {
 
 class Planner {
  public:
-  Planner(const PlanRequest& request, const brief::Brief& brief, const std::vector<const Design*>& designs)
+  Planner(const PlanRequest& request, const brief::Brief& brief, const std::vector<const Design*>& designs,
+          bool is_probe = false)
       : request_(request), brief_(brief), designs_(designs), rooms_(*brief::built_in_room_kinds()),
         kinds_(KindTable::built_in()), arrangements_(*built_in_arrangements()), grouping_(kinds_, arrangements_),
-        random_(request.seed), light_(plan::light_of(brief_)) {
+        random_(request.seed), light_(plan::light_of(brief_)), is_probe_(is_probe) {
     choose_kind();
   }
 
@@ -72,6 +74,7 @@ class Planner {
     const Wanted wanted{brief_, brief_.type, shell ? std::optional(bounds(shell->polygon).size()) : said_size()};
     auto all = candidates(designs_, wanted, kinds_);
     if (all.empty()) return Error{Error::Kind::invalid_input, "the book of designs is empty"};
+    if (!all.front().is_of_kind) take_nearest(all);
     choose_by_seed(all);
     std::optional<Attempt> best;
     for (std::size_t d = 0; d < std::min(all.size(), most_designs_tried); ++d) {
@@ -96,7 +99,7 @@ class Planner {
       brief_.notes.push_back(std::string("the prompt names no kind of room; taken for a ") + brief::default_room_type);
     }
     kind_ = design::kind_of_room(brief_.type, rooms_);
-    if (is_called_) kind_.made_by = plan::needed_makers(kind_, brief_, kinds_);
+    if (is_called_ && !brief_.type_guessed) kind_.made_by = plan::needed_makers(kind_, brief_, kinds_);
     else kind_.made_by.clear();
     if (brief_.height) kind_.height = *brief_.height;
   }
@@ -143,9 +146,17 @@ class Planner {
     return {std::round(size.x() * 20.0) / 20.0, std::round(size.y() * 20.0) / 20.0};
   }
 
+  // The book lacks the kind: what has several of the things that are asked for, else an empty room.
+  void take_nearest(std::vector<Candidate>& all) const {
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.things > b.things; });
+    if (all.front().things >= enough_things) return;
+    const auto plain = std::find_if(all.begin(), all.end(), [](const Candidate& one) { return one.design->is_plain; });
+    if (plain != all.end()) std::rotate(all.begin(), plain, plain + 1), all.resize(1);
+  }
+
   void choose_by_seed(std::vector<Candidate>& all) const {
     std::size_t good = 1;
-    while (good < all.size() && all[good].score >= all.front().score - about_as_good) ++good;
+    while (good < all.size() && all[good].is_of_kind == all.front().is_of_kind && all[good].score >= all.front().score - about_as_good) ++good;
     Random random = random_.fork("design");
     const auto chosen = static_cast<std::ptrdiff_t>(random.integer(0, static_cast<int>(good) - 1));
     std::rotate(all.begin(), all.begin() + chosen, all.begin() + chosen + 1);
@@ -313,16 +324,35 @@ class Planner {
   }
 
   bool holds_maker(const Plan& plan, const DryRun& run) const {
-    if (kind_.made_by.empty()) return true;
+    // A design without any of them makes it in its own way.
+    bool has_any = false;
     for (std::size_t i = 0; i < plan.items.size(); ++i) {
+      if (!kinds_.is_any_of(plan.items[i].category, kind_.made_by)) continue;
+      has_any = true;
       const auto missed = std::count_if(run.missed.begin(), run.missed.end(), [&](const PlannedObject& object) { return object.item == i; });
-      if (plan.items[i].quantity > missed && kinds_.is_any_of(plan.items[i].category, kind_.made_by)) return true;
+      if (plan.items[i].quantity > missed) return true;
     }
-    return false;
+    return !has_any;
+  }
+
+  // With the least size that would do.
+  Error too_small(const Plan& plan) const {
+    std::vector<std::string> makers;
+    for (const auto& item : plan.items)
+      if (kinds_.is_any_of(item.category, kind_.made_by) && !std::count(makers.begin(), makers.end(), item.category)) makers.push_back(item.category);
+    const Error error = plan::no_place_for(makers, plan.room);
+    if (is_probe_) return error;
+    const auto works = [&](const Vec2& size) {
+      PlanRequest request = request_;
+      request.size = size;
+      request.room.reset();
+      return static_cast<bool>(Planner(request, brief_, designs_, true).plan());
+    };
+    return plan::with_least(error, plan::least_size(bounds(plan.room.polygon).size(), works));
   }
 
   Result<Plan> finished(Attempt best) const {
-    if (!best.is_of_its_kind) return plan::no_place_for(plan::usual_makers(kind_, kinds_), best.plan.room);
+    if (!best.is_of_its_kind) return too_small(best.plan);
     auto ledger = plan::ledger_of(request_, brief_, best.drafts, best.plan);
     best.plan.requirements = std::move(ledger.requirements);
     best.plan.heard = std::move(ledger.heard);
@@ -340,6 +370,7 @@ class Planner {
   Lighting light_;
   brief::RoomKind kind_;
   bool is_called_ = false;
+  bool is_probe_;  ///< only whether there is a plan is asked
 };
 
 }  // namespace

@@ -103,6 +103,7 @@ struct Brief {
   std::string type;  ///< "bedroom", or words that no room kind is known by
   bool type_known = false;
   bool type_inferred = false;  ///< by WordNet: the prompt's word is no name of the kind
+  bool type_guessed = false;   ///< by its things and what is done there: the prompt names none
   std::optional<Vec2> size;    ///< width and depth, metres
   std::optional<double> area;  ///< square metres
   std::optional<double> height;  ///< of the ceiling, metres

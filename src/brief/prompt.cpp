@@ -94,7 +94,7 @@ void conclude(Brief& brief, const RoomKinds& kinds, const KindTable& table) {
   if (!brief.type.empty()) return;
   brief.type = guess_room_type(brief, kinds, table);
   if (brief.type.empty()) return;
-  brief.type_known = true;
+  brief.type_known = brief.type_guessed = true;
   brief.notes.push_back("the prompt names no kind of room; taken for a " + brief.type);
 }
 

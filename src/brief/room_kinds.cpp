@@ -185,6 +185,16 @@ Result<RoomKinds> parse_room_kinds(std::string_view text, const std::string& sou
   return kinds;
 }
 
+std::string room_name(std::string_view said) {
+  std::vector<std::string> pieces;
+  for (auto piece : words(said)) {
+    if (piece.ends_with("'s")) piece.resize(piece.size() - 2);
+    std::erase(piece, '\'');
+    if (!piece.empty() && piece != "s") pieces.push_back(std::move(piece));
+  }
+  return join(pieces, " ");
+}
+
 namespace {
 
 // The rooms that a design is for: the first list of its file that is called so.
@@ -194,7 +204,7 @@ std::vector<std::string> rooms_of_design(std::string_view text) {
   const auto list = parse_json(text.substr(open, close - open + 1), "for");
   std::vector<std::string> rooms;
   for (const auto& one : list ? *list : Json::array())
-    if (one.is_string()) rooms.push_back(join(words(one.get<std::string>()), " "));
+    if (one.is_string()) rooms.push_back(room_name(one.get<std::string>()));
   return rooms;
 }
 
@@ -207,7 +217,6 @@ RoomKind kind_of_book(const std::string& name, const RoomNames& names, const Roo
       break;
     }
   for (auto* list : {&kind.names, &kind.leading, &kind.alone, &kind.purposes, &kind.instead_of}) list->clear();
-  kind.core.clear(), kind.extras.clear(), kind.details.clear();
   kind.known_by.emplace();
   kind.type = name;
   return kind;

@@ -302,6 +302,7 @@ namespace {
 // just that kind of thing.
 double vote_of(const RoomKind& kind, const std::string& category, const KindTable& table) {
   double vote = 0.0;
+  if (kind.known_by && kind.known_by->empty()) return vote;
   const auto hear_kind = [&](const std::string& known, double weight) {
     if (category == known) weight += exactly;
     if (table.is_a(category, known)) vote = std::max(vote, weight);

@@ -19,7 +19,7 @@ const std::map<std::string, double> floors = {
     {"base", 0},          {"language", 0.5},  {"geometry", 1},      {"shape", 1.5},    {"kinds", 1.75},
     {"scene", 2},         {"library", 3},     {"collision", 3},     {"export", 3},     {"import", 3},
     {"view", 3},          {"chat", 3},        {"composition", 3.5}, {"brief", 4},         {"evaluate", 4},   {"solve", 4},
-    {"plan", 4.25},       {"design", 4.5},    {"create", 5},        {"generate", 6},   {"edit", 6.5},
+    {"plan", 4.25},       {"design", 4.5},    {"book", 4.6},      {"create", 5},        {"generate", 6},   {"edit", 6.5},
     {"edit_reader", 6.6}, {"decode", 6.75},   {"assets", 7},        {"render", 7},     {"agent", 7},
     // The laboratory stands on all of it.
     {"lab/program", 8},   {"lab/tour", 8},    {"lab/sceneeval", 8}, {"lab/suite", 8},  {"lab/annealing", 8.1},
