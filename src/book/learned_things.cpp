@@ -22,7 +22,7 @@ constexpr double little_off = 0.05;     ///< metres
 constexpr double little_turned = 3.0;          ///< degrees
 constexpr double below_top = 0.03;         ///< metres, of what lies on a board within a thing
 constexpr std::size_t many_alike = 3;      ///< of small things on one: they share its top evenly
-constexpr double least_gap = -0.45, most_gap = 0.9;
+constexpr double least_gap = -0.45, most_gap = 0.9, most_aside = 0.4;
 
 double in_file(double value) { return rounded(value, 3); }
 
@@ -220,7 +220,7 @@ class ThingTeller {
   // All of them, else as many as fit; a table that is not the anchor may have seats, too.
   bool tell_by_word(const std::vector<const Object*>& like) {
     for (const auto& [target, name] : std::map<const Object*, std::string>(names_)) {
-      if (!stands(*target) || name.empty() || is_several(name)) continue;
+      if (!stands(*target) || name.empty() || is_several(name) || !leads(*target, *like.front())) continue;
       for (const auto& chosen : {like, std::vector<const Object*>{like.front()}}) {
         auto json = by_word(chosen, *target, name);
         if (!json) continue;
@@ -231,6 +231,11 @@ class ThingTeller {
       }
     }
     return false;
+  }
+  // Seats follow their table, and none another seat.
+  bool leads(const Object& target, const Object& thing) const {
+    const auto is_seat = [&](const Object& one) { return telling_.kinds.is_a(one.category, "seat"); };
+    return &target == unit_.things.front() || (is_seat(thing) && !is_seat(target));
   }
   bool is_several(const std::string& name) const {
     return std::count_if(names_.begin(), names_.end(), [&](const auto& one) { return one.second == name; }) > 1;
@@ -263,7 +268,7 @@ class ThingTeller {
     for (const Aside& aside : asides) {
       const double gap = aside.sign * place.position.x() - 0.5 * (thing.size.x() + target.size.x());
       const double back = 0.5 * (target.size.y() - thing.size.y()) - place.position.y();
-      if (gap < -0.02 || gap > most_gap || std::abs(back) > fits || std::abs(place.yaw) > fits_turn) continue;
+      if (gap < -0.02 || gap > most_aside || std::abs(back) > fits || std::abs(place.yaw) > fits_turn) continue;
       Json json = told(thing);
       json["where"] = aside.text + name;
       json["gap_m"] = in_file(gap);
@@ -352,6 +357,7 @@ std::string description_of(const Object& object) {
 
 Json told_thing(const Object& object, const Telling& telling) {
   Json json = {{"name", object.category}, {"description", telling.worded(description_of(object))}};
+  if (telling.kinds.by_name(object.category)) json["kind"] = object.category;
   json["size_cm"] = Json::array();
   for (const double side : object.size) json["size_cm"].push_back(rounded(100.0 * side, 1));
   json["place"] = std::string(name(object.mount));

@@ -16,7 +16,7 @@ namespace roomgen::design {
 
 namespace {
 
-constexpr std::size_t max_items = 60;
+constexpr std::size_t max_items = 120;
 constexpr int max_objects = 200;
 constexpr int max_quantity = 50;
 constexpr int max_nesting = 4;                ///< of things on things
@@ -128,6 +128,8 @@ class ItemReader {
     // Now that it is known how large it is and where.
     if (is_sized || mount)
       item.category = category_of({name, description, is_sized ? item.size : std::nullopt, mount});
+    // A name is what people say in such a room; a kind is that kind.
+    if (const Kind* kind = lexicon_.table.by_name(text_in(member(value, {"kind"})))) item.category = kind->name;
     if (!lexicon_.table.find(item.category))
       note("\"" + item.category + "\" is no known kind of thing");
     item.description = shortened(told_with_name(plain_name(name), description, item.category), max_description);
