@@ -14,7 +14,8 @@ constexpr double hand = 0.12;            ///< metres between what belongs togeth
 constexpr double at_table = 0.6;         ///< from a seat to its table, at most
 constexpr double beyond_gap = 0.35;      ///< above the usual gap of two kinds
 constexpr double at_its_wall = 0.15;     ///< from the back of a thing to the wall that it stands at
-constexpr double much_smaller = 0.6;     ///< of the floor of what a thing merely touches
+constexpr double much_smaller = 0.4;     ///< of the floor of what a thing merely touches
+constexpr double most_of_table = 1.5;    ///< of its floor: a sofa does not follow its coffee table
 constexpr double least_on_rug = 0.15;    ///< of a rug, below what it belongs to
 
 double floor_of(const Object& object) { return object.size.x() * object.size.y(); }
@@ -116,7 +117,9 @@ class Gathering {
     const double nearness = 1.0 / (1.0 + between);
     if (sits_at(thing, other) && between <= at_table && looks_at(own, its)) return 4.0 + nearness;
     const bool is_smaller = floor_of(thing) < floor_of(other);
-    if (is_smaller && between <= usual_gap(thing, other)) return 3.0 + nearness;
+    // A coffee table is the sofa's rather than an armchair's that is a little nearer.
+    const double greatness = 0.2 * std::min(2.0, floor_of(other));
+    if (is_smaller && between <= usual_gap(thing, other)) return 3.0 + nearness + greatness;
     if (is_smaller && stands_in_zone(thing, other)) return 2.0 + nearness;
     const bool is_part = floor_of(thing) < much_smaller * floor_of(other) ||
                          (thing.category == other.category && !kinds_.is_a(thing.category, "seat"));
@@ -148,7 +151,7 @@ class Gathering {
   }
 
   bool sits_at(const Object& thing, const Object& other) const {
-    return kinds_.is_a(thing.category, "seat") && kinds_.is_any_of(other.category, {"table", "kitchen island"});
+    return floor_of(thing) < most_of_table * floor_of(other) && kinds_.is_a(thing.category, "seat") && kinds_.is_any_of(other.category, {"table", "kitchen island"});
   }
   static bool looks_at(const Footprint& own, const Footprint& its) {
     return its.round() || contains(its, own.center())

@@ -89,6 +89,19 @@ TEST_CASE("Equal groups in rows and columns are one that grows with the room and
   CHECK(book::usual_size(*read, {{"desks", 12.0}}).x() == Approx(size.x() + 2 * 1.45));
 }
 
+TEST_CASE("The mirror image of a room has its repeated groups where their image is") {
+  const Json design = design_named("call-centre");
+  const Vec2 size = size_of(scene_named("call-centre"));
+  const auto spots = test::spots_of(test::plan_of(design, size)), images = test::spots_of(test::plan_of(design, size, true));
+  for (const auto& spot : spots) {
+    if (spot.category != "desk") continue;
+    INFO("desk at " << spot.at.x() << ", " << spot.at.y());
+    CHECK(std::any_of(images.begin(), images.end(), [&](const test::Spot& one) {
+      return one.category == "desk" && (one.at - Vec2(size.x() - spot.at.x(), spot.at.y())).norm() < 0.05;
+    }));
+  }
+}
+
 TEST_CASE("The palette's words are its roles, and what serves a thing is with it") {
   const Json living = design_named("living-room");
   CHECK(living.dump().find("{wood}") != std::string::npos);

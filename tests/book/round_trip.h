@@ -40,13 +40,13 @@ inline std::vector<Spot> spots_of(const Plan& plan) {
   return spots;
 }
 
-/// Of a room of that size after a design, neither turned nor mirrored.
-inline Plan plan_of(const Json& json, const Vec2& size) {
+/// Of a room of that size after a design, not turned.
+inline Plan plan_of(const Json& json, const Vec2& size, bool is_mirrored = false) {
   const auto design = book::read_design(json, "test");
   if (!design) FAIL(design.error().message);
   book::Setting setting;
   setting.values = book::default_values(*design);
-  setting.size = size;
+  setting.size = size, setting.is_mirrored = is_mirrored;
   if (!design->palettes.empty()) setting.palette = design->palettes.front();
   const auto answer = book::answer_of(*design, setting);
   if (!answer) FAIL(answer.error().message);
