@@ -37,7 +37,8 @@ std::optional<Steps> steps_of(std::vector<double> values) {
   if (steps.number < 2) return steps;
   steps.step = (lines.back() - lines.front()) / (steps.number - 1);
   for (int i = 0; i < steps.number; ++i)
-    if (std::abs(lines[static_cast<std::size_t>(i)] - lines.front() - i * steps.step) > same_step) return std::nullopt;
+    if (std::abs(lines[static_cast<std::size_t>(i)] - lines.front() - i * steps.step) > same_step)
+      return std::nullopt;
   return steps;
 }
 
@@ -52,11 +53,13 @@ bool are_alike(const Unit& a, const Unit& b) {
     ++number;
     const Vec2 place = middle_in(*thing, first);
     missing += std::none_of(b.things.begin(), b.things.end(), [&](const Object* one) {
-      return one->category == thing->category && (middle_in(*one, other) - place).norm() < same_place;
+      return one->category == thing->category &&
+             (middle_in(*one, other) - place).norm() < same_place;
     });
   }
   for (const Object* thing : b.things) others += is_of_floor(*thing);
-  return number > 1 && missing <= most_other * number && std::abs(number - others) <= most_other * number;
+  return number > 1 && missing <= most_other * number &&
+         std::abs(number - others) <= most_other * number;
 }
 
 // In the frame of the first of them; nothing: they fill no rows and columns.
@@ -69,20 +72,24 @@ std::optional<Unit> grid_of(const std::vector<const Unit*>& alike) {
     xs.push_back(place.x()), ys.push_back(place.y());
   }
   const auto columns = steps_of(xs), rows = steps_of(ys);
-  if (!columns || !rows || columns->number * rows->number != static_cast<int>(alike.size())) return std::nullopt;
-  const Unit& fullest = **std::max_element(alike.begin(), alike.end(), [](const Unit* a, const Unit* b) {
-    return a->things.size() < b->things.size();
-  });
+  if (!columns || !rows || columns->number * rows->number != static_cast<int>(alike.size()))
+    return std::nullopt;
+  const Unit& fullest = **std::max_element(
+      alike.begin(), alike.end(),
+      [](const Unit* a, const Unit* b) { return a->things.size() < b->things.size(); });
   Unit grid = fullest;
   grid.grid = {rows->number, columns->number, columns->step, rows->step};
   grid.id = frame.group.empty() ? frame.id : frame.group.substr(0, frame.group.find('#'));
-  const Vec2 first(*std::min_element(xs.begin(), xs.end()), *std::min_element(ys.begin(), ys.end()));
+  const Vec2 first(*std::min_element(xs.begin(), xs.end()),
+                   *std::min_element(ys.begin(), ys.end()));
   grid.at = frame.position.head<2>() + rotated(first, frame.yaw);
   for (const Unit* unit : alike) grid.box.add(unit->box.low), grid.box.add(unit->box.high);
   return grid;
 }
 
-bool is_copied(const Unit& unit) { return unit.anchor().group.find('#') != std::string::npos; }
+bool is_copied(const Unit& unit) {
+  return unit.anchor().group.find('#') != std::string::npos;
+}
 
 }  // namespace
 
@@ -94,7 +101,8 @@ std::vector<Unit> in_grids(std::vector<Unit> units) {
     std::vector<const Unit*> alike;
     std::vector<std::size_t> which;
     for (std::size_t j = i; j < units.size(); ++j)
-      if (!is_taken[j] && (j == i || are_alike(units[i], units[j]))) alike.push_back(&units[j]), which.push_back(j);
+      if (!is_taken[j] && (j == i || are_alike(units[i], units[j])))
+        alike.push_back(&units[j]), which.push_back(j);
     const bool is_enough = static_cast<int>(alike.size()) >= least_number || is_copied(units[i]);
     auto grid = is_enough ? grid_of(alike) : std::nullopt;
     if (!grid) which = {i};

@@ -10,15 +10,17 @@ namespace roomgen::book {
 
 namespace {
 
-constexpr double near_wall = 1.2;      ///< metres that are kept
+constexpr double near_wall = 1.2;  ///< metres that are kept
 constexpr double near_unit = 0.6;
 constexpr double in_the_middle = 0.04;
 constexpr double back_at_wall = 0.10, hung_at_wall = 0.2;
 constexpr double in_corner = 0.06;
 constexpr double at_opening = 0.05, beside_opening = 0.12;  ///< the latter as designs are laid
-constexpr double same_turn = 5.0;      ///< degrees
+constexpr double same_turn = 5.0;                           ///< degrees
 
-double length_of(int side, const Vec2& size) { return side % 2 == 0 ? size.x() : size.y(); }
+double length_of(int side, const Vec2& size) {
+  return side % 2 == 0 ? size.x() : size.y();
+}
 
 // From the side of the box to a point.
 double distance_to(int side, const Vec2& point, const Vec2& size) {
@@ -42,7 +44,8 @@ std::optional<int> wall_behind(const Object& object, const Room& room, const Vec
   const int wall = (*faced + 2) % 4;
   const Vec2 back = object.position.head<2>() - 0.5 * object.size.y() * front_direction(object.yaw);
   const double most = object.mount == Mount::wall ? hung_at_wall : back_at_wall;
-  if (distance_to(wall, back, size) > most || distance_to_boundary(room.polygon, back) > most) return std::nullopt;
+  if (distance_to(wall, back, size) > most || distance_to_boundary(room.polygon, back) > most)
+    return std::nullopt;
   return wall;
 }
 
@@ -50,8 +53,12 @@ std::optional<int> wall_behind(const Object& object, const Room& room, const Vec
 class StandTeller {
  public:
   StandTeller(const Unit& unit, const Place2& place, const Surroundings& around)
-      : unit_(unit), thing_(unit.anchor()), place_(place), around_(around),
-        size_(bounds(around.room.polygon).size()), wall_(wall_behind(thing_, around.room, size_)) {}
+      : unit_(unit),
+        thing_(unit.anchor()),
+        place_(place),
+        around_(around),
+        size_(bounds(around.room.polygon).size()),
+        wall_(wall_behind(thing_, around.room, size_)) {}
 
   Json run(const std::array<std::string, 2>& numbers) const {
     if (unit_.grid.number() > 1) return at(first_copy(numbers));
@@ -68,8 +75,10 @@ class StandTeller {
     Json stands;
     stands["at"] = {told(place_[0], "W", more[0]), told(place_[1], "D", more[1])};
     const auto side = side_faced(thing_.yaw);
-    if (side) stands["facing"] = compass_sides[*side];
-    else stands["facing"] = rounded(degrees(thing_.yaw), 1);
+    if (side)
+      stands["facing"] = compass_sides[*side];
+    else
+      stands["facing"] = rounded(degrees(thing_.yaw), 1);
     return stands;
   }
 
@@ -82,7 +91,8 @@ class StandTeller {
       for (Eigen::Index k = 0; k < 2; ++k)
         if (std::abs(axes[i][k]) > 0.5 && steps[i] > 0.0)
           more[static_cast<std::size_t>(k)] += std::string(axes[i][k] > 0.0 ? " - " : " + ") +
-                                               format_number(0.5 * steps[i], 3) + "*(" + numbers[i] + " - 1)";
+                                               format_number(0.5 * steps[i], 3) + "*(" +
+                                               numbers[i] + " - 1)";
     return more;
   }
 
@@ -133,7 +143,8 @@ std::optional<int> side_faced(double yaw) {
 Json told(const Along& along, const char* side, const std::string& more) {
   const double offset = rounded(along.offset, 3), share = rounded(along.share, 4);
   if (share == 0.0 && more.empty()) return offset;
-  const std::string sign = offset < 0.0 ? " - " : " + ", metres = format_number(std::abs(offset), 3);
+  const std::string sign = offset < 0.0 ? " - " : " + ",
+                    metres = format_number(std::abs(offset), 3);
   if (share == 0.0) return format_number(offset, 3) + more;
   const std::string part = share == 1.0   ? std::string(side)
                            : share == 0.5 ? std::string(side) + "/2"
@@ -157,7 +168,8 @@ std::vector<Place2> places_of(const std::vector<Unit>& units, const Vec2& size) 
     const auto k = static_cast<Eigen::Index>(axis);
     // Of a grid the middle of its copies' anchors.
     const auto middle = [&](const Unit& unit) {
-      const Vec2 half(0.5 * unit.grid.across * (unit.grid.columns - 1), 0.5 * unit.grid.along * (unit.grid.rows - 1));
+      const Vec2 half(0.5 * unit.grid.across * (unit.grid.columns - 1),
+                      0.5 * unit.grid.along * (unit.grid.rows - 1));
       return (unit.at + rotated(half, unit.anchor().yaw))[k];
     };
     std::vector<std::size_t> open, done;
@@ -191,8 +203,10 @@ std::vector<SeenOpening> openings_seen(const Room& room) {
   for (const auto& opening : room.openings) {
     const Vec2 out = -inward(room, opening), middle = segment(room, opening).middle() - box.low;
     SeenOpening one;
-    if (std::abs(out.x()) > std::abs(out.y())) one.side = out.x() > 0.0 ? 1 : 3;
-    else one.side = out.y() > 0.0 ? 2 : 0;
+    if (std::abs(out.x()) > std::abs(out.y()))
+      one.side = out.x() > 0.0 ? 1 : 3;
+    else
+      one.side = out.y() > 0.0 ? 2 : 0;
     one.middle = one.side % 2 == 0 ? middle.x() : middle.y();
     one.width = opening.width(), one.sill = opening.sill, one.is_window = !opening.is_entrance();
     seen.push_back(one);

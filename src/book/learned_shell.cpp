@@ -10,17 +10,21 @@ namespace roomgen::book {
 
 namespace {
 
-constexpr double most_of_wall = 0.5;  ///< that an opening takes without giving way in a smaller room
-constexpr double beside_wide = 0.8;   ///< metres of wall beside such an opening
+constexpr double most_of_wall =
+    0.5;                             ///< that an opening takes without giving way in a smaller room
+constexpr double beside_wide = 0.8;  ///< metres of wall beside such an opening
 
 bool stands_alone(const std::string& text, std::size_t at, std::size_t length) {
-  const auto is_letter = [&](std::size_t i) { return std::isalnum(static_cast<unsigned char>(text[i])) != 0; };
+  const auto is_letter = [&](std::size_t i) {
+    return std::isalnum(static_cast<unsigned char>(text[i])) != 0;
+  };
   return (at == 0 || !is_letter(at - 1)) && (at + length >= text.size() || !is_letter(at + length));
 }
 
 // All texts within.
 void word_texts(Json& json, const std::function<std::string(std::string)>& worded) {
-  if (json.is_string()) json = worded(json.get<std::string>());
+  if (json.is_string())
+    json = worded(json.get<std::string>());
   else if (json.is_structured())
     for (auto& value : json) word_texts(value, worded);
 }
@@ -33,7 +37,8 @@ void name_walls(Json& covers, const Room& room) {
     if (!name.starts_with("wall-")) continue;
     const std::size_t number = std::strtoul(name.c_str() + 5, nullptr, 10);
     if (number >= room.polygon.size()) continue;
-    if (const auto side = side_faced(yaw_facing(-room.polygon.inward(number)))) cover["wall"] = compass_sides[*side];
+    if (const auto side = side_faced(yaw_facing(-room.polygon.inward(number))))
+      cover["wall"] = compass_sides[*side];
   }
 }
 
@@ -44,7 +49,8 @@ Json told_light(Json light) {
   for (const auto& lamp : light["lamps"]) {
     std::string name = lamp.get<std::string>();
     const std::size_t number = name.find_last_not_of("0123456789");
-    if (number != std::string::npos && number + 1 < name.size() && name[number] == '-') name.erase(number);
+    if (number != std::string::npos && number + 1 < name.size() && name[number] == '-')
+      name.erase(number);
     if (std::find(lamps.begin(), lamps.end(), Json(name)) == lamps.end()) lamps.push_back(name);
   }
   light["lamps"] = std::move(lamps);
@@ -70,7 +76,8 @@ std::function<std::string(std::string)> with_roles(const Room& room) {
   std::vector<std::pair<std::string, std::string>> roles;
   for (const auto& [role, word] : room.palette)
     if (word.size() > 2) roles.emplace_back(lower(word), role);
-  std::stable_sort(roles.begin(), roles.end(), [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
+  std::stable_sort(roles.begin(), roles.end(),
+                   [](const auto& a, const auto& b) { return a.first.size() > b.first.size(); });
   return [roles](std::string text) {
     for (const auto& [word, role] : roles)
       for (std::size_t at = 0; (at = lower(text).find(word, at)) != std::string::npos;) {
@@ -108,10 +115,12 @@ Json told_openings(const Room& room) {
     const double middle = seen[i].middle;
     Json one = {{"kind", opening.kind.empty() ? std::string(name(opening.type)) : opening.kind},
                 {"wall", compass_sides[seen[i].side]},
-                {"at", told_at(along_of(middle - half, middle + half, middle, length), seen[i].side, length)},
+                {"at", told_at(along_of(middle - half, middle + half, middle, length), seen[i].side,
+                               length)},
                 {"width", rounded(opening.width(), 3)}};
     if (opening.width() > most_of_wall * length)
-      one["width"] = "min(" + format_number(opening.width(), 3) + ", " + (seen[i].side % 2 == 0 ? "W" : "D") + " - " +
+      one["width"] = "min(" + format_number(opening.width(), 3) + ", " +
+                     (seen[i].side % 2 == 0 ? "W" : "D") + " - " +
                      format_number(std::min(beside_wide, length - opening.width()), 3) + ")";
     if (!opening.is_entrance()) one["sill"] = rounded(opening.sill, 3);
     one["head"] = rounded(opening.head, 3);

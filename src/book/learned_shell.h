@@ -6,7 +6,8 @@
 
 namespace roomgen::book {
 
-/// Puts "{wood}" and the like in the place of a palette's words, where these stand alone; the longest first.
+/// Puts "{wood}" and the like in the place of a palette's words, where these stand alone; the
+/// longest first.
 std::function<std::string(std::string)> with_roles(const Room& room);
 
 /// The "room" of a design: type, height, surfaces, light, style and palette.

@@ -10,15 +10,17 @@ namespace roomgen::book {
 
 namespace {
 
-constexpr double hand = 0.12;            ///< metres between what belongs together without a word
-constexpr double at_table = 0.6;         ///< from a seat to its table, at most
-constexpr double beyond_gap = 0.35;      ///< above the usual gap of two kinds
-constexpr double at_its_wall = 0.15;     ///< from the back of a thing to the wall that it stands at
-constexpr double much_smaller = 0.4;     ///< of the floor of what a thing merely touches
-constexpr double most_of_table = 1.5;    ///< of its floor: a sofa does not follow its coffee table
-constexpr double least_on_rug = 0.15;    ///< of a rug, below what it belongs to
+constexpr double hand = 0.12;          ///< metres between what belongs together without a word
+constexpr double at_table = 0.6;       ///< from a seat to its table, at most
+constexpr double beyond_gap = 0.35;    ///< above the usual gap of two kinds
+constexpr double at_its_wall = 0.15;   ///< from the back of a thing to the wall that it stands at
+constexpr double much_smaller = 0.4;   ///< of the floor of what a thing merely touches
+constexpr double most_of_table = 1.5;  ///< of its floor: a sofa does not follow its coffee table
+constexpr double least_on_rug = 0.15;  ///< of a rug, below what it belongs to
 
-double floor_of(const Object& object) { return object.size.x() * object.size.y(); }
+double floor_of(const Object& object) {
+  return object.size.x() * object.size.y();
+}
 
 /// Says of each thing to which other one it belongs.
 class Gathering {
@@ -112,7 +114,11 @@ class Gathering {
       const bool is_over = top(other) < bottom(thing) && contains(its, Vec2(own.center()));
       return is_over ? 1.0 + floor_of(other) : 0.0;
     }
-    if (thing.traits.flat) return on_rug(own, its);
+    return thing.traits.flat ? on_rug(own, its) : service_beside(thing, other);
+  }
+
+  double service_beside(const Object& thing, const Object& other) const {
+    const Footprint own = footprint(thing), its = footprint(other);
     const double between = gap(own, its);
     const double nearness = 1.0 / (1.0 + between);
     if (sits_at(thing, other) && between <= at_table && looks_at(own, its)) return 4.0 + nearness;
@@ -121,9 +127,11 @@ class Gathering {
     const double greatness = 0.2 * std::min(2.0, floor_of(other));
     if (is_smaller && between <= usual_gap(thing, other)) return 3.0 + nearness + greatness;
     if (is_smaller && stands_in_zone(thing, other)) return 2.0 + nearness;
-    const bool is_part = floor_of(thing) < much_smaller * floor_of(other) ||
-                         (thing.category == other.category && !kinds_.is_a(thing.category, "seat"));
-    return between <= hand && is_part ? nearness : 0.0;
+    return between <= hand && is_part_of(thing, other) ? nearness : 0.0;
+  }
+  bool is_part_of(const Object& thing, const Object& other) const {
+    return floor_of(thing) < much_smaller * floor_of(other) ||
+           (thing.category == other.category && !kinds_.is_a(thing.category, "seat"));
   }
 
   bool covers_window(const Object& thing) const { return kind(thing).covers_window; }
@@ -135,7 +143,8 @@ class Gathering {
     const double off = 0.5 * (other.size.y() + thing.size.y());
     return std::abs(std::sin(0.5 * (thing.yaw - other.yaw))) < 0.05 &&
            bottom(thing) > top(other) - 0.05 && std::abs(local.x()) <= 0.5 * other.size.x() + 0.1 &&
-           local.y() > 0.0 && local.y() - 0.5 * other.size.y() < at_its_wall && local.y() < off + at_its_wall;
+           local.y() > 0.0 && local.y() - 0.5 * other.size.y() < at_its_wall &&
+           local.y() < off + at_its_wall;
   }
 
   static double on_rug(const Footprint& rug, const Footprint& other) {
@@ -151,7 +160,9 @@ class Gathering {
   }
 
   bool sits_at(const Object& thing, const Object& other) const {
-    return floor_of(thing) < most_of_table * floor_of(other) && kinds_.is_a(thing.category, "seat") && kinds_.is_any_of(other.category, {"table", "kitchen island"});
+    return floor_of(thing) < most_of_table * floor_of(other) &&
+           kinds_.is_a(thing.category, "seat") &&
+           kinds_.is_any_of(other.category, {"table", "kitchen island"});
   }
   static bool looks_at(const Footprint& own, const Footprint& its) {
     return its.round() || contains(its, own.center())

@@ -29,11 +29,12 @@ struct Unit {
 };
 
 /// The units of a room, in the order of its things: the room's own groups, else what serves a thing
-/// goes with it (seats at tables, what belongs beside a bed, rugs under, lamps over, what hangs above
-/// a thing at its wall) and what stands on it. Equal groups in rows and columns are one unit.
+/// goes with it (seats at tables, what belongs beside a bed, rugs under, lamps over, what hangs
+/// above a thing at its wall) and what stands on it. Equal groups in rows and columns are one unit.
 std::vector<Unit> units_of(const Scene& scene, const KindTable& kinds);
 
-/// Of groups that are alike those that fill rows and columns become one; the others stay as they are.
+/// Of groups that are alike those that fill rows and columns become one; the others stay as they
+/// are.
 std::vector<Unit> in_grids(std::vector<Unit> units);
 
 /// The box of the things of a unit.

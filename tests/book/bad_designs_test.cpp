@@ -11,7 +11,8 @@ using namespace roomgen;
 namespace {
 
 Json sound() {
-  return Json::parse(R"({"format": "roomgen-design", "version": 1, "name": "a study", "for": ["study"],
+  return Json::parse(
+      R"({"format": "roomgen-design", "version": 1, "name": "a study", "for": ["study"],
     "parameters": {"people": {"default": 2, "least": 1, "most": 4}},
     "size_m": {"usual": ["3 + 0.2*people", 3]}, "room": {"height_m": 2.6},
     "openings": [{"kind": "door", "wall": "south", "at": 0.8}],

@@ -1,5 +1,5 @@
-// Finished rooms as designs: laid into the same room they give that room again, and in smaller and larger
-// ones what stands at a wall still does.
+// Finished rooms as designs: laid into the same room they give that room again, and in smaller and
+// larger ones what stands at a wall still does.
 #include "round_trip.h"
 
 #include <algorithm>
@@ -21,7 +21,9 @@ Json design_named(const std::string& name) {
   return *design;
 }
 
-Vec2 size_of(const Scene& scene) { return bounds(scene.room.polygon).size(); }
+Vec2 size_of(const Scene& scene) {
+  return bounds(scene.room.polygon).size();
+}
 
 // Of what stands on the floor, by the walls that its back is at.
 std::multiset<std::string> at_walls(const std::vector<test::Spot>& spots, const Vec2& size) {
@@ -53,7 +55,8 @@ TEST_CASE("A room that became a design becomes the same room again") {
   CHECK(static_cast<double>(result.elsewhere.size()) <= 0.1 * result.floor);
 }
 
-TEST_CASE("What a design has at walls is there in smaller and larger rooms, and nothing is outside") {
+TEST_CASE(
+    "What a design has at walls is there in smaller and larger rooms, and nothing is outside") {
   const auto name = GENERATE(as<std::string>(), "twin-bedroom", "living-room");
   const Json design = design_named(name);
   const Vec2 size = size_of(scene_named(name));
@@ -78,7 +81,8 @@ TEST_CASE("Equal groups in rows and columns are one that grows with the room and
   CHECK(design["parameters"]["desks"]["default"] == 8);
   const auto number_in = [&](const Vec2& size) {
     const auto spots = test::spots_of(test::plan_of(design, size));
-    return std::count_if(spots.begin(), spots.end(), [](const test::Spot& spot) { return spot.category == "desk"; });
+    return std::count_if(spots.begin(), spots.end(),
+                         [](const test::Spot& spot) { return spot.category == "desk"; });
   };
   const Vec2 size = size_of(scene);
   CHECK(number_in(size) == 8);
@@ -92,12 +96,14 @@ TEST_CASE("Equal groups in rows and columns are one that grows with the room and
 TEST_CASE("The mirror image of a room has its repeated groups where their image is") {
   const Json design = design_named("call-centre");
   const Vec2 size = size_of(scene_named("call-centre"));
-  const auto spots = test::spots_of(test::plan_of(design, size)), images = test::spots_of(test::plan_of(design, size, true));
+  const auto spots = test::spots_of(test::plan_of(design, size)),
+             images = test::spots_of(test::plan_of(design, size, true));
   for (const auto& spot : spots) {
     if (spot.category != "desk") continue;
     INFO("desk at " << spot.at.x() << ", " << spot.at.y());
     CHECK(std::any_of(images.begin(), images.end(), [&](const test::Spot& one) {
-      return one.category == "desk" && (one.at - Vec2(size.x() - spot.at.x(), spot.at.y())).norm() < 0.05;
+      return one.category == "desk" &&
+             (one.at - Vec2(size.x() - spot.at.x(), spot.at.y())).norm() < 0.05;
     }));
   }
 }
@@ -108,7 +114,8 @@ TEST_CASE("The palette's words are its roles, and what serves a thing is with it
   const Json& sofa = group_with(living, "sofa");
   std::set<std::string> with_it;
   for (const auto& thing : sofa["things"]) with_it.insert(thing["name"]);
-  for (const char* thing : {"coffee table", "armchair", "rug", "chandelier"}) CHECK(with_it.count(thing) == 1);
+  for (const char* thing : {"coffee table", "armchair", "rug", "chandelier"})
+    CHECK(with_it.count(thing) == 1);
   // Found without groups of the room's own.
   const Json bedroom = design_named("twin-bedroom");
   const Json& desk = group_with(bedroom, "desk");

@@ -27,11 +27,13 @@ inline std::vector<Spot> spots_of(const Plan& plan) {
   std::vector<Spot> spots;
   for (const auto& item : plan.items)
     if (item.group.empty() && item.location)
-      spots.push_back({item.category, *item.location, item.facing.value_or(0.0), *item.size, item.mount});
+      spots.push_back(
+          {item.category, *item.location, item.facing.value_or(0.0), *item.size, item.mount});
   for (const auto& group : plan.groups) {
     const auto ways = composition::ways_to_stand(plan, group, kinds, {});
     REQUIRE(ways);
-    const composition::Place frame{group.location.value_or(Vec2::Zero()), group.facing.value_or(0.0)};
+    const composition::Place frame{group.location.value_or(Vec2::Zero()),
+                                   group.facing.value_or(0.0)};
     for (const auto& member : ways->front().members) {
       const auto place = composition::within(frame, member.place);
       spots.push_back({member.category, place.position, place.yaw, member.size, member.mount});
@@ -54,7 +56,8 @@ inline Plan plan_of(const Json& json, const Vec2& size, bool is_mirrored = false
   request.prompt = "a room";
   request.size = size;
   const KindTable& kinds = KindTable::built_in();
-  auto parts = design::read_plan_parts(*answer, request, brief::brief_of(request, *brief::built_in_room_kinds(), kinds), kinds);
+  auto parts = design::read_plan_parts(
+      *answer, request, brief::brief_of(request, *brief::built_in_room_kinds(), kinds), kinds);
   if (!parts) FAIL(parts.error().message);
   Plan plan;
   plan.room = parts->room;
@@ -81,11 +84,14 @@ inline Compared compared(const Scene& scene, const Plan& plan) {
     ++result.floor;
     const Vec2 at = object.position.head<2>() - low;
     const auto found = std::find_if(spots.begin(), spots.end(), [&](const Spot& spot) {
-      const bool looks_alike = !object.traits.front || std::abs(degrees(wrap_angle(spot.yaw - object.yaw))) <= turn;
+      const bool looks_alike =
+          !object.traits.front || std::abs(degrees(wrap_angle(spot.yaw - object.yaw))) <= turn;
       return spot.category == object.category && (spot.at - at).norm() <= close && looks_alike;
     });
-    if (found == spots.end()) result.elsewhere.push_back(object.id);
-    else spots.erase(found);
+    if (found == spots.end())
+      result.elsewhere.push_back(object.id);
+    else
+      spots.erase(found);
   }
   return result;
 }

@@ -43,13 +43,19 @@ void add_design_command(CLI::App& app, Context& context) {
   auto* group = add_tool_command(app, "design");
   group->require_subcommand(1);
   auto* sub = group->add_subcommand("from", "The design of a finished room");
-  sub->add_option("scene", command->scene, "The room: scene.json")->required()->check(CLI::ExistingFile);
+  sub->add_option("scene", command->scene, "The room: scene.json")
+      ->required()
+      ->check(CLI::ExistingFile);
   sub->add_option("-o,--output", command->output, "File to write, else the output");
-  sub->add_option("--name", command->learning.name, "What the design is called (default: the room's wish)");
-  sub->add_option("--for", command->learning.rooms, "Kinds of rooms that it is a design of (default: the room's)");
+  sub->add_option("--name", command->learning.name,
+                  "What the design is called (default: the room's wish)");
+  sub->add_option("--for", command->learning.rooms,
+                  "Kinds of rooms that it is a design of (default: the room's)");
   sub->add_flag("--keep-assets", command->learning.keep_assets,
                 "Keep the models of libraries, not only what was built for the room");
-  sub->callback([command, &context] { context.run = [command, &context] { return learn(context, *command); }; });
+  sub->callback([command, &context] {
+    context.run = [command, &context] { return learn(context, *command); };
+  });
 }
 
 }  // namespace roomgen::cli
