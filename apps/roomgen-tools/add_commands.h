@@ -9,6 +9,8 @@ namespace roomgen::cli {
 void add_edit_commands(CLI::App& app, Context& context);
 /// Poses changed in another program.
 void add_import_command(CLI::App& app, Context& context);
+/// Designs from finished rooms.
+void add_design_command(CLI::App& app, Context& context);
 void add_repl_command(CLI::App& app, Context& context);
 void add_mcp_command(CLI::App& app, Context& context);
 

@@ -7,6 +7,7 @@ void add_commands(CLI::App& app, roomgen::cli::Context& context) {
   using namespace roomgen::cli;
   add_edit_commands(app, context);
   add_import_command(app, context);
+  add_design_command(app, context);
   add_repl_command(app, context);
   add_mcp_command(app, context);
 }

@@ -77,7 +77,7 @@ Result<std::string> check_problem(const CheckCommand& command, const Json& json,
   if (!format.empty() && format != "roomgen-problem")
     return Error{Error::Kind::invalid_input,
                  command.file + ": /format: \"" + format + "\" is none that is checked; scenes, " +
-                     "plans, problems, rooms, shapes, programs and layouts are"};
+                     "plans, problems, rooms, designs, shapes, programs and layouts are"};
   const auto problem = problem_from_json(json, command.file);
   if (!problem) return problem.error();
   return "problem of " + std::to_string(problem->tasks.size()) + " objects";
@@ -103,6 +103,10 @@ Result<int> check_other(const Context& context, const CheckCommand& command, con
     what = "plan of " + std::to_string(planned_objects(*plan).size()) + " objects";
     settle(*plan);
     notes = notes_of(*std::move(plan));
+  } else if (format == "roomgen-design") {
+    auto design = check_design(json, command.file);
+    if (!design) return design.error();
+    what = *design;
   } else if (format == "roomgen-shape") {
     auto shape = check_shape(command, json);
     if (!shape) return shape.error();
@@ -158,7 +162,7 @@ void add_check_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<CheckCommand>();
   auto* sub = app.add_subcommand(
       "check",
-      "Check a scene, plan, problem, room, shape or program file, a drawing of a floor plan, or layouts; exit 1 if "
+      "Check a scene, plan, problem, room, design, shape or program file, a drawing of a floor plan, or layouts; exit 1 if "
       "a scene or layout breaks a rule or a program has errors");
   sub->add_option("file", command->file, "JSON, SVG or DXF file, or layouts in a .jsonl file")->required();
   sub->add_option("--of", command->varied, "The problem or scene that layouts were drawn from");

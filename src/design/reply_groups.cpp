@@ -325,6 +325,8 @@ class GroupReader {
     }
     put(*thing_of(draft), *said, of, count, part);
     if (!said->before.empty()) part["before"] = target(said->before, parts);
+    if (item.spare > 0) part["spare"] = item.spare;
+    if (const auto mount = parse_mount(text_in(member(*thing_of(draft), {"place"})))) part["mount"] = name(*mount);
     parts.push_back(std::move(part));
   }
 
@@ -338,6 +340,8 @@ class GroupReader {
     if (const auto gap = number_of(thing, {"gap m", "gap"}); gap && (in_a_row || key == "above"))
       part["gap"] = *gap;
     else if (key == "around") part["gap"] = -0.1;
+    if (const std::string align = text_in(member(thing, {"align"})); in_a_row && (align == "back" || align == "front"))
+      part["align"] = align;
     if (const Json* at = member(thing, {"at m", "at"}); at && !in_a_row && at->is_array() && at->size() == 2) part["at"] = *at;
     // Several share the thing below evenly.
     if (!in_a_row && count > 1 && said.before.empty())
@@ -356,7 +360,7 @@ class GroupReader {
   bool is_within(const Json& thing, const std::string& kind, const std::string& of) const {
     const Json* at = member(thing, {"at m", "at"});
     const bool is_place =
-        at && at->is_array() && at->size() == 2 && (*at)[0].is_number() && (*at)[1].is_number();
+        at && !member(thing, {"place"}) && at->is_array() && at->size() == 2 && (*at)[0].is_number() && (*at)[1].is_number();
     if (!is_place || kinds_.get(kind).traits.flat || kinds_.is_a(kind, "seat")) return false;
     const Vec3 outline = size_of(of);
     return std::abs((*at)[0].get<double>()) < 0.5 * outline.x() &&

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "brief/reply_measure.h"
 #include "chat/loose_json.h"
@@ -15,7 +16,7 @@ namespace roomgen::design {
 
 namespace {
 
-constexpr std::size_t max_items = 60;
+constexpr std::size_t max_items = 120;
 constexpr int max_objects = 200;
 constexpr int max_quantity = 50;
 constexpr int max_nesting = 4;                ///< of things on things
@@ -127,6 +128,8 @@ class ItemReader {
     // Now that it is known how large it is and where.
     if (is_sized || mount)
       item.category = category_of({name, description, is_sized ? item.size : std::nullopt, mount});
+    // A name is what people say in such a room; a kind is that kind.
+    if (const Kind* kind = lexicon_.table.by_name(text_in(member(value, {"kind"})))) item.category = kind->name;
     if (!lexicon_.table.find(item.category))
       note("\"" + item.category + "\" is no known kind of thing");
     item.description = shortened(told_with_name(plain_name(name), description, item.category), max_description);
@@ -140,13 +143,14 @@ class ItemReader {
     if (!group_.empty()) {
       item.group = group_, item.part = reply_part_name(value);
       if (!member(value, size_keys)) item.size.reset();
+      read_spare(value, item);
     } else {
       read_place(value, item);
     }
     draft.mention = drafts_.size();
     if (carrier != brief::Demand::none) {
       item.mount = Mount::surface;
-      carry(draft, carrier);
+      carry(draft, carrier, is_inside(words(text_in(member(value, spot_keys)))));
       on.clear();
     }
     objects_ += item.quantity;
@@ -155,7 +159,11 @@ class ItemReader {
     insides_.push_back(is_inside(words(text_in(member(value, spot_keys)))));
     names_.push_back(plain_name(name));
     const std::size_t self = drafts_.size() - 1;
-    if (const Json* top = member(value, on_top_keys)) read_list(*top, self, nesting + 1);
+    const Json* top = member(value, on_top_keys);
+    if (!top) return;
+    const std::string group = std::exchange(group_, "");  // what says nothing of where it is in the group
+    read_list(*top, self, nesting + 1);
+    group_ = group;
   }
 
   int quantity_of(const Json& value, const std::string& category) {
@@ -233,6 +241,10 @@ class ItemReader {
     const ReplyStands stands = read_reply_stands(value);
     item.location = stands.location, item.facing = stands.facing;
     if (stands.at_wall && item.mount == Mount::floor) item.relations.push_back({RelationKind::edge, ""});
+    read_spare(value, item);
+  }
+
+  static void read_spare(const Json& value, PlanItem& item) {
     if (const Json* spare = member(value, {"spare"}); spare && spare->is_number())
       item.spare = std::clamp(spare->get<int>(), 0, 99);
   }

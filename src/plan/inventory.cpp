@@ -372,7 +372,8 @@ void one_for_each_window(std::vector<Draft>& drafts, const brief::Brief& brief, 
       std::count_if(room.openings.begin(), room.openings.end(),
                     [](const Opening& opening) { return !opening.is_entrance(); }));
   for (auto& draft : drafts) {
-    if (draft.mention == brief::Demand::none || !table.get(draft.item.category).covers_window)
+    if (draft.mention == brief::Demand::none || draft.item.location ||
+        !table.get(draft.item.category).covers_window)
       continue;
     const bool is_of_design = draft.mention >= brief.mentions.size();
     if (is_of_design || brief.mentions[draft.mention].open) draft.item.quantity = std::max(1, windows);

@@ -245,6 +245,19 @@ struct BookOptions {
 /// as make_rule_designer().
 Result<std::unique_ptr<Designer>> make_book_designer(const BookOptions& options = {});
 
+/// How a finished room becomes a design.
+struct LearnOptions {
+  std::string name = {};                ///< else the room's prompt
+  std::vector<std::string> rooms = {};  ///< kinds of rooms that it is a design of; else the room's own
+  bool keep_assets = false;             ///< of libraries, too, where else words decide again
+};
+
+/// A design (docs/designs.md) after which a room of the same size becomes this one again, and others
+/// accordingly. Fails for dwellings, empty rooms and scenes that are not sound.
+Result<Json> learn_design(const Scene& scene, const LearnOptions& options = {});
+/// What a sound design is made of, for people. Located errors for what is none.
+Result<std::string> check_design(const Json& json, const std::string& source);
+
 /// The plan of a dwelling, if the prompt asks for several rooms (docs/dwellings.md) and the request
 /// gives neither a floor plan nor a size of one room; else nothing. The rooms are laid out by
 /// rules, and the designer plans each of them with what the prompt says of it.

@@ -6,7 +6,7 @@ from .files import read_json
 
 DOCS = Path(__file__).resolve().parents[3] / "docs"
 OF_FORMAT = {"roomgen-scene": "scene", "roomgen-plan": "plan", "roomgen-shape": "shape", "roomgen-program": "program",
-             "roomgen-tour": "tour"}
+             "roomgen-tour": "tour", "roomgen-design": "design"}
 
 
 def schema_named(name):
