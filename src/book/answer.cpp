@@ -4,6 +4,7 @@
 #include <set>
 
 #include "design.h"
+#include "palette.h"
 #include "roomgen/base/text.h"
 
 namespace roomgen::book {
@@ -32,7 +33,7 @@ Error wrong(const std::string& where, const std::string& what) {
 class Filling {
  public:
   Filling(const Design& design, const Values& values, const Json& palette)
-      : source_(design.source), scope_{values, {}, 0}, palette_(palette) {}
+      : source_(design.source), scope_{values, {}, 0}, palette_(palette), programs_(design.programs) {}
 
   std::optional<Error> first_error() const { return error_; }
 
@@ -46,7 +47,7 @@ class Filling {
       if (json.is_array()) {
         if (is_there(value, inner)) result.push_back(filled(value, inner, is_number));
       } else if (key == "program") {
-        result[key] = only_worded(value);
+        result[key] = program(value, inner);
       } else if (key == "with" && value.is_object()) {
         result[key] = settings(value, inner);
       } else if (key != "when") {
@@ -71,12 +72,25 @@ class Filling {
     return 0.0;
   }
 
-  // Shape programs have formulas of their own.
-  Json only_worded(const Json& json) const {
-    if (json.is_string()) return worded(json);
+  // A shape program, or the name of one of the design's.
+  Json program(const Json& said, const std::string& pointer) {
+    if (!said.is_string()) return only_worded(said, false);
+    const auto known = programs_.find(said.get<std::string>());
+    if (known != programs_.end()) return only_worded(*known, false);
+    if (!error_) error_ = wrong(source_, pointer + ": \"" + said.get<std::string>() + "\" is none of \"programs\"");
+    return Json();
+  }
+
+  // Programs have formulas of their own, and know fewer colours than people.
+  Json only_worded(const Json& json, bool is_color) const {
+    if (json.is_string()) return is_color ? program_color(worded(json)) : worded(json);
     if (!json.is_structured()) return json;
     Json result = json;
-    for (auto& value : result) value = only_worded(value);
+    for (const auto& [key, value] : json.items()) {
+      Json inner = only_worded(value, key == "color");
+      if (json.is_array()) result[std::stoul(key)] = std::move(inner);
+      else result[key] = std::move(inner);
+    }
     return result;
   }
 
@@ -107,6 +121,7 @@ class Filling {
   std::string source_;
   shape::Scope scope_;
   const Json& palette_;
+  const Json& programs_;
   std::optional<Error> error_;
 };
 

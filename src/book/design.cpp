@@ -58,7 +58,7 @@ void read_size(const JsonReader& json, Design& design) {
   design.most = read_bound(json["most"], 1.5 * size);
 }
 
-const char* const own_members[] = {"format", "version", "name", "for", "words", "parameters", "size_m"};
+const char* const own_members[] = {"format", "version", "name", "for", "words", "parameters", "size_m", "programs", "remarks"};
 
 }  // namespace
 
@@ -80,11 +80,11 @@ Result<Design> parse_design(const Json& json, const std::string& source) {
   JsonReader::Problems problems(source);
   const JsonReader root(json, problems);
   root.allow_only({"format", "version", "name", "for", "words", "concept", "parameters", "size_m",
-                   "room", "openings", "groups", "objects", "excluded", "remarks"});
+                   "room", "openings", "groups", "objects", "excluded", "remarks", "programs"});
   if (root["format"].text_or("roomgen-design") != "roomgen-design") root["format"].report("expected \"roomgen-design\"");
   auto anything = Expression::compile("1");
   Design design{root["name"].text(200), texts_of(root["for"]), texts_of(root["words"]), {}, {*anything, *anything},
-                Vec2::Ones(), Vec2::Ones(), {}, {}, source, false};
+                Vec2::Ones(), Vec2::Ones(), {}, json.is_object() ? json.value("programs", Json::object()) : Json::object(), {}, source, false};
   design.is_plain = root["groups"].elements_or_none(60).empty();
   if (design.rooms.empty()) root["for"].report("say of what kinds of rooms it is a design");
   if (const auto parameters = root["parameters"]; parameters.exists())

@@ -35,6 +35,7 @@ struct Design {
   std::array<Expression, 2> usual;  ///< width and depth, over the parameters
   Vec2 least = Vec2::Ones(), most = Vec2::Ones();
   std::vector<Json> palettes;
+  Json programs;       ///< shape programs by name, which things refer to; an object
   Json body;           ///< the plan's form, with formulas, without the members above
   std::string source;  ///< its file
   bool is_plain = false;  ///< it holds hardly anything: for rooms that no design is of

@@ -35,7 +35,7 @@ constexpr double growth = 1.06;          ///< of the sides from attempt to attem
 constexpr double about_as_good = 2.0;    ///< of the score: by seed another design
 constexpr double floor_beside = 2.2;     ///< of a thing that is added: its floor with what is around it
 constexpr double none_of_its_kind = 1e6;
-constexpr double of_asked = 20.0, of_design = 5.0, of_spare = 1.0, of_broken = 2.0;  ///< faults
+constexpr double of_asked = 20.0, of_design = 5.0, of_spare = 1.0, of_broken = 2.0, of_dropped = 0.6;  ///< faults
 constexpr std::size_t most_dry_run = 160;  ///< things; larger plans are taken as they are
 constexpr std::size_t most_designs_tried = 2;
 constexpr double enough_things = 3.0;  ///< asked for that a design of another kind has, to be taken
@@ -181,7 +181,7 @@ class Planner {
       const bool needs_more = n == 0 && !is_fixed && attempt->added_floor > 0.0;
       if (needs_more) extra = attempt->added_floor;
       if (!best || attempt->fault < best->fault) best = *std::move(attempt);
-      if (best->fault <= 0.0 && !needs_more) break;
+      if (best->fault < of_design && !needs_more) break;
       if (needs_more) best->fault += 1e3;  // only where the room has not grown for what is added
     }
     return *std::move(best);
@@ -226,7 +226,7 @@ class Planner {
   Result<Attempt> try_out(const Try& one, double bar) {
     auto answer = answer_of(*one.candidate.design, one.setting);
     if (!answer) return answer.error();
-    drop_spare(*answer, one.dropped);
+    const int dropped = drop_spare(*answer, one.dropped);
     PlanRequest request = request_;
     request.size = one.setting.size;
     if (one.given) request.room = *one.given;
@@ -254,19 +254,24 @@ class Planner {
     grouping_.gather(merged.drafts, brief_, plan);
     set_in_order(std::move(merged.drafts), result);
     judge(result, bar);
+    result.fault += of_dropped * dropped;
     return result;
   }
 
-  static void drop_spare(Json& answer, int most) {
+  // How many things that are.
+  static int drop_spare(Json& answer, int most) {
+    int dropped = 0;
     for (const char* list : {"groups", "objects"}) {
       if (!answer.contains(list) || !answer[list].is_array()) continue;
       Json kept = Json::array();
       for (const auto& one : answer[list]) {
         const int spare = one.is_object() && one.contains("spare") && one["spare"].is_number() ? one["spare"].get<int>() : 0;
         if (spare == 0 || spare > most) kept.push_back(one);
+        else dropped += 1 + static_cast<int>(one.value("things", Json::array()).size());
       }
       answer[list] = std::move(kept);
     }
+    return dropped;
   }
 
   plan::Looks looks_for() const {
