@@ -243,20 +243,25 @@ class Laying {
     one["stands"] = {{"wall", at_wall}};
     if (point) {
       const Vec2 first = laid(point->cwiseMax(0.02).cwiseMin(size_ - Vec2(0.02, 0.02)));
-      const Vec2 inside = setting_.is_mirrored && yaw ? first + to_first_copy(one, half, laid(*yaw)) : first;
+      const Vec2 inside = yaw ? first + to_first_copy(one, half, laid(*yaw)) : first;
       one["stands"]["location"] = {inside.x(), inside.y()};
     }
     if (yaw) one["stands"]["yaw_deg"] = laid(*yaw);
     return {};
   }
 
-  // In the mirror image of columns the first copy is at their other end.
-  static Vec2 to_first_copy(const Json& one, const Vec2& half, double yaw_deg) {
+  // Of a grid `stands` tells the middle, if it is "centred", else the first copy: in the mirror image of
+  // columns that is at their other end.
+  Vec2 to_first_copy(const Json& one, const Vec2& half, double yaw_deg) const {
     const Json repeat = one.value("repeat", Json());
     if (!repeat.is_object()) return Vec2::Zero();
-    const double steps = std::max(1.0, std::round(number_in(repeat, "columns", 1.0))) - 1.0;
-    const double across = number_in(repeat, "across_m", 2.0 * half.x() + 0.9);  // as a group of its own has it
-    return rotated(Vec2(-steps * across, 0.0), radians(yaw_deg));
+    const auto extent = [&](const char* number, const char* pitch, double side) {
+      const double steps = std::max(1.0, std::round(number_in(repeat, number, 1.0))) - 1.0;
+      return steps * number_in(repeat, pitch, side + 0.9);  // as a group of its own has it
+    };
+    const Vec2 last(extent("columns", "across_m", 2.0 * half.x()), extent("rows", "along_m", 2.0 * half.y()));
+    const Vec2 back = repeat.value("centred", false) ? Vec2(0.5 * last) : setting_.is_mirrored ? Vec2(last.x(), 0.0) : Vec2::Zero();
+    return rotated(-back, radians(yaw_deg));
   }
 
   Status in_corner(const Json& stands, const Vec2& half, const std::string& where, std::optional<Vec2>& point,

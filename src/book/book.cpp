@@ -9,22 +9,43 @@ namespace roomgen::book {
 namespace {
 
 constexpr std::size_t most_designs = 2000;
+constexpr std::string_view folder_of_designs = "data/designs/";
+constexpr std::string_view plain_design = "data/designs/any-room.json";
+
+Result<Design> built_in(std::string_view path) {
+  const auto json = parse_json(*resource(path), std::string(path));
+  if (!json) return json.error();
+  return parse_design(*json, std::string(path));
+}
+
+bool is_for(std::string_view path, const std::string& room_type) {
+  const auto rooms = brief::rooms_of_design(*resource(path));
+  return std::any_of(rooms.begin(), rooms.end(), [&](const auto& room) { return meant_room(room) == room_type; });
+}
 
 }  // namespace
 
-const Result<Book>& built_in_book() {
-  static const Result<Book> book = []() -> Result<Book> {
-    Book found;
-    for (const auto path : resources("data/designs/")) {
-      const auto json = parse_json(*resource(path), std::string(path));
-      if (!json) return json.error();
-      auto design = parse_design(*json, std::string(path));
-      if (!design) return design.error();
-      found.designs.push_back(*std::move(design));
-    }
-    return found;
-  }();
-  return book;
+std::string meant_room(const std::string& name) {
+  static const brief::RoomNames names = brief::room_names(*brief::built_in_room_kinds());
+  const std::string plain = brief::room_name(name);
+  const auto known = names.find(plain);
+  return known == names.end() ? plain : known->second;
+}
+
+std::vector<std::string_view> built_in_names() { return resources(folder_of_designs); }
+
+Result<std::vector<Design>> built_in_designs(const std::string& room_type) {
+  std::vector<std::string_view> paths;
+  for (const auto path : built_in_names())
+    if (path == plain_design || is_for(path, room_type)) paths.push_back(path);
+  if (paths.size() < 2 && room_type != "room") paths = built_in_names();
+  std::vector<Design> designs;
+  for (const auto path : paths) {
+    auto design = built_in(path);
+    if (!design) return design.error();
+    designs.push_back(*std::move(design));
+  }
+  return designs;
 }
 
 Result<Book> read_book(const std::filesystem::path& folder) {

@@ -23,10 +23,9 @@ class BookDesigner : public Designer {
     if (auto status = design::check_understood(request, brief); !status && !is_own_alone_) return status.error();
     std::vector<const book::Design*> designs;
     for (const auto& design : own_.designs) designs.push_back(&design);
-    if (!is_own_alone_) {
-      if (!book::built_in_book()) return book::built_in_book().error();
-      for (const auto& design : book::built_in_book()->designs) designs.push_back(&design);
-    }
+    Result<std::vector<book::Design>> built_in = is_own_alone_ ? std::vector<book::Design>() : book::built_in_designs(book::room_type_of(request, brief));
+    if (!built_in) return built_in.error();
+    for (const auto& design : *built_in) designs.push_back(&design);
     return book::plan_by_book(request, brief, designs);
   }
 

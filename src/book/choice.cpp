@@ -60,19 +60,12 @@ std::set<std::string> things_of(const Design& design) {
 /// What a wish says, as words between spaces.
 std::string padded(const std::string& text) { return " " + join(words(text), " ") + " "; }
 
-// What the names of rooms mean; a name that nobody knows means itself.
-std::string meant(const std::string& name) {
-  static const brief::RoomNames names = brief::room_names(*brief::built_in_room_kinds());
-  const auto known = names.find(name);
-  return known == names.end() ? name : known->second;
-}
-
 // Of the wish's kind, rather by the very name that the wish has for it.
 double kind_score(const Design& design, const Wanted& wanted, const std::string& wish) {
   double best = 0.0;
   for (std::size_t i = 0; i < design.rooms.size(); ++i) {
     const std::string name = brief::room_name(design.rooms[i]);
-    if (meant(name) != wanted.type && name != wanted.type) continue;
+    if (meant_room(name) != wanted.type) continue;
     const bool is_said = wish.find(" " + name + " ") != std::string::npos;
     double score = of_kind + (i == 0 ? of_first_name : 0.0) + (name == wanted.type ? of_type : 0.0);
     if (is_said) score += of_said_name + of_further_word * static_cast<double>(words(name).size() - 1);

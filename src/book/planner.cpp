@@ -89,15 +89,11 @@ class Planner {
 
  private:
   void choose_kind() {
-    if (brief_.type.empty() && request_.room) brief_.type = request_.room->type;
-    is_called_ = !brief_.type.empty();
-    if (!is_called_ && brief_.mentions.size() >= 2) {
-      brief_.type = "room";
-      brief_.notes.push_back("the prompt names no kind of room; little was added to what it names");
-    } else if (!is_called_) {
-      brief_.type = brief::default_room_type;
-      brief_.notes.push_back(std::string("the prompt names no kind of room; taken for a ") + brief::default_room_type);
-    }
+    is_called_ = !brief_.type.empty() || (request_.room && !request_.room->type.empty());
+    brief_.type = room_type_of(request_, brief_);
+    if (!is_called_)
+      brief_.notes.push_back(brief_.type == "room" ? "the prompt names no kind of room; little was added to what it names"
+                                                   : "the prompt names no kind of room; taken for a " + brief_.type);
     kind_ = design::kind_of_room(brief_.type, rooms_);
     if (is_called_ && !brief_.type_guessed) kind_.made_by = plan::needed_makers(kind_, brief_, kinds_);
     else kind_.made_by.clear();
@@ -379,6 +375,12 @@ class Planner {
 };
 
 }  // namespace
+
+std::string room_type_of(const PlanRequest& request, const brief::Brief& brief) {
+  if (!brief.type.empty()) return brief.type;
+  if (request.room && !request.room->type.empty()) return request.room->type;
+  return brief.mentions.size() >= 2 ? "room" : brief::default_room_type;
+}
 
 Result<Plan> plan_by_book(const PlanRequest& request, const brief::Brief& brief,
                           const std::vector<const Design*>& designs) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "book.h"
@@ -7,6 +8,9 @@
 #include "roomgen/scene/plan.h"
 
 namespace roomgen::book {
+
+/// The kind of room that a wish is taken for.
+std::string room_type_of(const PlanRequest& request, const brief::Brief& brief);
 
 /// The plan for a request whose prompt says what `brief` holds, by the design that serves it best, by
 /// seed one of those that serve it about as well. The design is fitted to the room that is given or

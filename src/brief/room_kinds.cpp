@@ -195,9 +195,6 @@ std::string room_name(std::string_view said) {
   return join(pieces, " ");
 }
 
-namespace {
-
-// The rooms that a design is for: the first list of its file that is called so.
 std::vector<std::string> rooms_of_design(std::string_view text) {
   const std::size_t key = text.find("\"for\""), open = text.find('[', key), close = text.find(']', open);
   if (key == std::string_view::npos || close == std::string_view::npos) return {};
@@ -207,6 +204,8 @@ std::vector<std::string> rooms_of_design(std::string_view text) {
     if (one.is_string()) rooms.push_back(room_name(one.get<std::string>()));
   return rooms;
 }
+
+namespace {
 
 // A kind that only the book knows is like the one that it is a sort of: a sushi bar is a bar.
 RoomKind kind_of_book(const std::string& name, const RoomNames& names, const RoomKinds& kinds) {
