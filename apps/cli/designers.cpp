@@ -134,10 +134,13 @@ CLI::Option* add_text(CLI::App& command, const char* name, std::string& value, c
 }  // namespace
 
 void add_chat_options(CLI::App& command, DesignerOptions& options) {
-  add_text(command, "--designer", options.designer, "book: works offline, by the designs of a book; rules: works offline; model: asks a language model")
+  add_text(command, "--designer", options.designer,
+           "book: works offline, by the designs of a book; rules: works offline; model: asks a "
+           "language model")
       ->check(CLI::IsMember({"book", "rules", "model"}))
       ->capture_default_str();
-  add_text(command, "--book", options.book, "Folder of further designs, which go before the built-in ones (docs/designs.md)");
+  add_text(command, "--book", options.book,
+           "Folder of further designs, which go before the built-in ones (docs/designs.md)");
   add_text(command, "--design", options.design, "A file with the design that the room shall have");
   add_text(command, "--model", options.model, "Name of the model at its endpoint");
   add_text(command, "--base-url", options.base_url,
@@ -316,7 +319,8 @@ Result<ComposedDesigner> compose_designer(const DesignerOptions& options, const 
   composed.limited = model->limited;
   composed.reader = compose_reader(options, composed.model.get(), composed.limited, model->prompts);
   if (options.designer == "book" || !options.book.empty() || !options.design.empty()) {
-    auto book = make_book_designer({options.book, options.design, [](LogLevel, std::string_view message) { warn(message); }});
+    auto book = make_book_designer(
+        {options.book, options.design, [](LogLevel, std::string_view message) { warn(message); }});
     if (!book) return book.error();
     composed.designer = *std::move(book);
     return composed;

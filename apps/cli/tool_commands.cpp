@@ -35,7 +35,8 @@ constexpr std::array tool_commands = {
     ToolCommand{
         tools, "import",
         "Take the poses of a scene.glb that another program has changed back into the room"},
-    ToolCommand{tools, "design", "Make a design of a finished room, after which others are made (docs/designs.md)"},
+    ToolCommand{tools, "design",
+                "Make a design of a finished room, after which others are made (docs/designs.md)"},
     ToolCommand{tools, "repl",
                 "Change a room line by line, at a prompt or over a pipe; the exit code is then "
                 "that of the first line that failed"},

@@ -160,10 +160,10 @@ Result<int> run(const Context& context, const CheckCommand& command) {
 
 void add_check_command(CLI::App& app, Context& context) {
   auto command = std::make_shared<CheckCommand>();
-  auto* sub = app.add_subcommand(
-      "check",
-      "Check a scene, plan, problem, room, design, shape or program file, a drawing of a floor plan, or layouts; exit 1 if "
-      "a scene or layout breaks a rule or a program has errors");
+  auto* sub = app.add_subcommand("check",
+                                 "Check a scene, plan, problem, room, design, shape or program "
+                                 "file, a drawing of a floor plan, or layouts; exit 1 if "
+                                 "a scene or layout breaks a rule or a program has errors");
   sub->add_option("file", command->file, "JSON, SVG or DXF file, or layouts in a .jsonl file")->required();
   sub->add_option("--of", command->varied, "The problem or scene that layouts were drawn from");
   add_model_options(*sub, command->models);

@@ -13,8 +13,9 @@ namespace {
 
 // Members whose values are numbers, or lists of numbers: there a text is a formula.
 const std::set<std::string, std::less<>> number_members = {
-    "size_cm", "quantity", "gap_m", "at_m", "bottom_m", "lean_deg", "value", "rows", "columns", "across_m", "along_m",
-    "at", "along", "width", "sill", "head", "height_m", "height", "when", "number", "hour"};
+    "size_cm", "quantity", "gap_m",    "at_m",    "bottom_m", "lean_deg", "value",
+    "rows",    "columns",  "across_m", "along_m", "at",       "along",    "width",
+    "sill",    "head",     "height_m", "height",  "when",     "number",   "hour"};
 
 enum Wall { south, east, north, west };
 constexpr const char* wall_names[] = {"south", "east", "north", "west"};
@@ -33,7 +34,10 @@ Error wrong(const std::string& where, const std::string& what) {
 class Filling {
  public:
   Filling(const Design& design, const Values& values, const Json& palette)
-      : source_(design.source), scope_{values, {}, 0}, palette_(palette), programs_(design.programs) {}
+      : source_(design.source),
+        scope_{values, {}, 0},
+        palette_(palette),
+        programs_(design.programs) {}
 
   std::optional<Error> first_error() const { return error_; }
 
@@ -60,7 +64,8 @@ class Filling {
  private:
   bool is_there(const Json& value, const std::string& pointer) {
     if (!value.is_object() || !value.contains("when")) return true;
-    const Json truth = value["when"].is_string() ? number(value["when"], pointer + "/when") : value["when"];
+    const Json truth =
+        value["when"].is_string() ? number(value["when"], pointer + "/when") : value["when"];
     return !truth.is_number() || truth.get<double>() != 0.0;
   }
 
@@ -77,7 +82,9 @@ class Filling {
     if (!said.is_string()) return only_worded(said, false);
     const auto known = programs_.find(said.get<std::string>());
     if (known != programs_.end()) return only_worded(*known, false);
-    if (!error_) error_ = wrong(source_, pointer + ": \"" + said.get<std::string>() + "\" is none of \"programs\"");
+    if (!error_)
+      error_ =
+          wrong(source_, pointer + ": \"" + said.get<std::string>() + "\" is none of \"programs\"");
     return Json();
   }
 
@@ -88,8 +95,10 @@ class Filling {
     Json result = json;
     for (const auto& [key, value] : json.items()) {
       Json inner = only_worded(value, key == "color");
-      if (json.is_array()) result[std::stoul(key)] = std::move(inner);
-      else result[key] = std::move(inner);
+      if (json.is_array())
+        result[std::stoul(key)] = std::move(inner);
+      else
+        result[key] = std::move(inner);
     }
     return result;
   }
@@ -98,7 +107,8 @@ class Filling {
   Json settings(const Json& with, const std::string&) {
     Json result = Json::object();
     for (const auto& [key, value] : with.items()) {
-      const auto formula = value.is_string() ? Expression::compile(value.get<std::string>()) : Result<Expression>(Error{});
+      const auto formula = value.is_string() ? Expression::compile(value.get<std::string>())
+                                             : Result<Expression>(Error{});
       const auto number = formula ? formula->number(scope_) : Result<double>(Error{});
       result[key] = number ? Json(*number) : value;
     }
@@ -107,11 +117,13 @@ class Filling {
 
   std::string worded(const Json& json) const {
     std::string text = json.get<std::string>();
-    for (std::size_t open = text.find('{'); open != std::string::npos; open = text.find('{', open)) {
+    for (std::size_t open = text.find('{'); open != std::string::npos;
+         open = text.find('{', open)) {
       const std::size_t close = text.find('}', open);
       if (close == std::string::npos) break;
       const std::string role = text.substr(open + 1, close - open - 1);
-      const std::string word = palette_.is_object() ? palette_.value(role, std::string()) : std::string();
+      const std::string word =
+          palette_.is_object() ? palette_.value(role, std::string()) : std::string();
       text.replace(open, close - open + 1, word);
       open += word.size();
     }
@@ -148,7 +160,8 @@ class Laying {
       });
     for_each_in(body, "openings", [&](Json& opening) { lay_opening(opening); });
     if (body.contains("room") && body["room"].contains("materials"))
-      for_each_in(body["room"]["materials"], "walls", [&](Json& cover) { cover["wall"] = laid_wall(cover.value("wall", Json())); });
+      for_each_in(body["room"]["materials"], "walls",
+                  [&](Json& cover) { cover["wall"] = laid_wall(cover.value("wall", Json())); });
     return status;
   }
 
@@ -183,15 +196,21 @@ class Laying {
   static double number_in(const Json& json, const char* key, double fallback) {
     return json.contains(key) && json[key].is_number() ? json[key].get<double>() : fallback;
   }
-  static double length_of(int wall, const Vec2& size) { return wall % 2 == 0 ? size.x() : size.y(); }
+  static double length_of(int wall, const Vec2& size) {
+    return wall % 2 == 0 ? size.x() : size.y();
+  }
 
   // `across` metres from the wall, `along` it from the west or south.
   Vec2 point_at(int wall, double along, double across) const {
     switch (wall) {
-      case south: return {along, across};
-      case north: return {along, size_.y() - across};
-      case east: return {size_.x() - across, along};
-      default: return {across, along};
+      case south:
+        return {along, across};
+      case north:
+        return {along, size_.y() - across};
+      case east:
+        return {size_.x() - across, along};
+      default:
+        return {across, along};
     }
   }
   // Of what has its back at the wall: fronts look south at 0.
@@ -208,9 +227,11 @@ class Laying {
   // Half the depth and half the width of what stands there.
   static Vec2 half_of(const Json& one) {
     const Json* thing = &one;
-    if (one.contains("things") && one["things"].is_array() && !one["things"].empty()) thing = &one["things"].front();
+    if (one.contains("things") && one["things"].is_array() && !one["things"].empty())
+      thing = &one["things"].front();
     const Json size = thing->is_object() ? thing->value("size_cm", Json()) : Json();
-    if (!size.is_array() || size.size() != 3 || !size[0].is_number() || !size[1].is_number()) return {0.3, 0.3};
+    if (!size.is_array() || size.size() != 3 || !size[0].is_number() || !size[1].is_number())
+      return {0.3, 0.3};
     return {size[0].get<double>() / 200.0, size[1].get<double>() / 200.0};
   }
 
@@ -223,7 +244,8 @@ class Laying {
     std::optional<double> yaw = yaw_towards(stands.value("facing", Json()));
     bool at_wall = false;
     if (stands.contains("wall")) {
-      const auto wall = wall_named(stands["wall"].is_string() ? stands["wall"].get<std::string>() : "");
+      const auto wall =
+          wall_named(stands["wall"].is_string() ? stands["wall"].get<std::string>() : "");
       if (!wall) return wrong(source_, where + "/wall: north, east, south or west is expected");
       point = point_at(*wall, number_in(stands, "along", 0.5 * length_of(*wall, size_)), half.y());
       yaw = yaw_at(*wall), at_wall = true;
@@ -250,8 +272,8 @@ class Laying {
     return {};
   }
 
-  // Of a grid `stands` tells the middle, if it is "centred", else the first copy: in the mirror image of
-  // columns that is at their other end.
+  // Of a grid `stands` tells the middle, if it is "centred", else the first copy: in the mirror
+  // image of columns that is at their other end.
   Vec2 to_first_copy(const Json& one, const Vec2& half, double yaw_deg) const {
     const Json repeat = one.value("repeat", Json());
     if (!repeat.is_object()) return Vec2::Zero();
@@ -259,14 +281,18 @@ class Laying {
       const double steps = std::max(1.0, std::round(number_in(repeat, number, 1.0))) - 1.0;
       return steps * number_in(repeat, pitch, side + 0.9);  // as a group of its own has it
     };
-    const Vec2 last(extent("columns", "across_m", 2.0 * half.x()), extent("rows", "along_m", 2.0 * half.y()));
-    const Vec2 back = repeat.value("centred", false) ? Vec2(0.5 * last) : setting_.is_mirrored ? Vec2(last.x(), 0.0) : Vec2::Zero();
+    const Vec2 last(extent("columns", "across_m", 2.0 * half.x()),
+                    extent("rows", "along_m", 2.0 * half.y()));
+    const Vec2 back = repeat.value("centred", false) ? Vec2(0.5 * last)
+                      : setting_.is_mirrored         ? Vec2(last.x(), 0.0)
+                                                     : Vec2::Zero();
     return rotated(-back, radians(yaw_deg));
   }
 
-  Status in_corner(const Json& stands, const Vec2& half, const std::string& where, std::optional<Vec2>& point,
-                   std::optional<double>& yaw) const {
-    const auto names = split(stands["corner"].is_string() ? stands["corner"].get<std::string>() : "", '-');
+  Status in_corner(const Json& stands, const Vec2& half, const std::string& where,
+                   std::optional<Vec2>& point, std::optional<double>& yaw) const {
+    const auto names =
+        split(stands["corner"].is_string() ? stands["corner"].get<std::string>() : "", '-');
     const auto first = names.size() == 2 ? wall_named(names[0]) : std::nullopt;
     const auto second = names.size() == 2 ? wall_named(names[1]) : std::nullopt;
     if (!first || !second || *first % 2 != 0 || *second % 2 == 0)
@@ -279,13 +305,14 @@ class Laying {
   }
 
   // Which of the doors or windows; in a room that lacks it, it likes any place.
-  void at_opening(const Json& stands, const Json& openings, const Vec2& half, std::optional<Vec2>& point,
-                  std::optional<double>& yaw, bool& at_wall) const {
+  void at_opening(const Json& stands, const Json& openings, const Vec2& half,
+                  std::optional<Vec2>& point, std::optional<double>& yaw, bool& at_wall) const {
     const bool is_window = stands.contains("window");
     const double wanted = number_in(stands, is_window ? "window" : "door", 0.0);
     double number = 0.0;
     for (const auto& opening : openings) {
-      if ((opening.value("kind", std::string()).find("window") != std::string::npos) != is_window) continue;
+      if ((opening.value("kind", std::string()).find("window") != std::string::npos) != is_window)
+        continue;
       if (number++ != wanted) continue;
       const auto wall = wall_named(opening.value("wall", std::string()));
       if (!wall) return;
@@ -295,8 +322,10 @@ class Laying {
       double along = length * (*wall == north || *wall == west ? 1.0 - part : part);
       if (stands.contains("beside") && stands["beside"].is_string()) {
         const double off = 0.5 * number_in(opening, "width", 1.0) + half.x() + 0.12;
-        // Who looks at the south wall from inside has the east at the left, at the east wall the north.
-        const bool is_towards_end = (*wall == south || *wall == east) == (stands["beside"] == "left");
+        // Who looks at the south wall from inside has the east at the left, at the east wall the
+        // north.
+        const bool is_towards_end =
+            (*wall == south || *wall == east) == (stands["beside"] == "left");
         along += is_towards_end ? off : -off;
       }
       const double margin = std::min(half.x(), 0.5 * length);
@@ -309,10 +338,13 @@ class Laying {
   // Left and right of the things in a group change places.
   static void mirror(Json& one) {
     for_each_in(one, "things", [](Json& thing) {
-      if (thing.contains("at_m") && thing["at_m"].is_array() && !thing["at_m"].empty() && thing["at_m"][0].is_number())
+      if (thing.contains("at_m") && thing["at_m"].is_array() && !thing["at_m"].empty() &&
+          thing["at_m"][0].is_number())
         thing["at_m"][0] = -thing["at_m"][0].get<double>();
-      if (thing.contains("facing") && thing["facing"].is_number()) thing["facing"] = -thing["facing"].get<double>();
-      if (thing.contains("where") && thing["where"].is_string()) thing["where"] = swapped(thing["where"]);
+      if (thing.contains("facing") && thing["facing"].is_number())
+        thing["facing"] = -thing["facing"].get<double>();
+      if (thing.contains("where") && thing["where"].is_string())
+        thing["where"] = swapped(thing["where"]);
     });
     if (one.contains("with") && one["with"].is_object())
       for (auto& value : one["with"])
@@ -341,7 +373,8 @@ Result<Json> answer_of(const Design& design, const Setting& setting) {
   if (setting.openings.is_array()) body["openings"] = setting.openings;
   Json answer = filling.filled(setting.openings.is_array() ? body : design.body, "", false);
   if (const auto error = filling.first_error()) return *error;
-  if (auto status = Laying(design.source, setting, size).run(answer); !status) return status.error();
+  if (auto status = Laying(design.source, setting, size).run(answer); !status)
+    return status.error();
   Json& room = answer["room"];
   if (room.is_null()) room = Json::object();
   room["size_m"] = {setting.size.x(), setting.size.y()};

@@ -20,7 +20,8 @@ Result<Design> built_in(std::string_view path) {
 
 bool is_for(std::string_view path, const std::string& room_type) {
   const auto rooms = brief::rooms_of_design(*resource(path));
-  return std::any_of(rooms.begin(), rooms.end(), [&](const auto& room) { return meant_room(room) == room_type; });
+  return std::any_of(rooms.begin(), rooms.end(),
+                     [&](const auto& room) { return meant_room(room) == room_type; });
 }
 
 }  // namespace
@@ -32,7 +33,9 @@ std::string meant_room(const std::string& name) {
   return known == names.end() ? plain : known->second;
 }
 
-std::vector<std::string_view> built_in_names() { return resources(folder_of_designs); }
+std::vector<std::string_view> built_in_names() {
+  return resources(folder_of_designs);
+}
 
 Result<std::vector<Design>> built_in_designs(const std::string& room_type) {
   std::vector<std::string_view> paths;
@@ -52,15 +55,19 @@ Result<Book> read_book(const std::filesystem::path& folder) {
   std::error_code failure;
   std::vector<std::filesystem::path> paths;
   for (const auto& entry : std::filesystem::directory_iterator(folder, failure))
-    if (entry.path().extension() == ".json" && paths.size() < most_designs) paths.push_back(entry.path());
+    if (entry.path().extension() == ".json" && paths.size() < most_designs)
+      paths.push_back(entry.path());
   if (failure)
-    return Error{Error::Kind::not_found, folder.string() + ": cannot be listed: " + failure.message()};
+    return Error{Error::Kind::not_found,
+                 folder.string() + ": cannot be listed: " + failure.message()};
   std::sort(paths.begin(), paths.end());
   Book book;
   for (const auto& path : paths) {
     auto design = read_design(path);
-    if (design) book.designs.push_back(*std::move(design));
-    else book.problems.push_back(design.error().message);
+    if (design)
+      book.designs.push_back(*std::move(design));
+    else
+      book.problems.push_back(design.error().message);
   }
   if (book.designs.empty())
     return Error{Error::Kind::invalid_input,

@@ -58,7 +58,8 @@ void read_size(const JsonReader& json, Design& design) {
   design.most = read_bound(json["most"], 1.5 * size);
 }
 
-const char* const own_members[] = {"format", "version", "name", "for", "words", "parameters", "size_m", "programs", "remarks"};
+const char* const own_members[] = {"format",     "version", "name",     "for",    "words",
+                                   "parameters", "size_m",  "programs", "remarks"};
 
 }  // namespace
 
@@ -81,15 +82,27 @@ Result<Design> parse_design(const Json& json, const std::string& source) {
   const JsonReader root(json, problems);
   root.allow_only({"format", "version", "name", "for", "words", "concept", "parameters", "size_m",
                    "room", "openings", "groups", "objects", "excluded", "remarks", "programs"});
-  if (root["format"].text_or("roomgen-design") != "roomgen-design") root["format"].report("expected \"roomgen-design\"");
+  if (root["format"].text_or("roomgen-design") != "roomgen-design")
+    root["format"].report("expected \"roomgen-design\"");
   auto anything = Expression::compile("1");
-  Design design{root["name"].text(200), texts_of(root["for"]), texts_of(root["words"]), {}, {*anything, *anything},
-                Vec2::Ones(), Vec2::Ones(), {}, json.is_object() ? json.value("programs", Json::object()) : Json::object(), {}, source, false};
+  Design design{root["name"].text(200),
+                texts_of(root["for"]),
+                texts_of(root["words"]),
+                {},
+                {*anything, *anything},
+                Vec2::Ones(),
+                Vec2::Ones(),
+                {},
+                json.is_object() ? json.value("programs", Json::object()) : Json::object(),
+                {},
+                source,
+                false};
   design.is_plain = root["groups"].elements_or_none(60).empty();
   if (design.rooms.empty()) root["for"].report("say of what kinds of rooms it is a design");
   if (const auto parameters = root["parameters"]; parameters.exists())
     for (const auto& [name, value] : parameters.members())
-      if (design.parameters.size() < most_parameters) design.parameters.push_back(read_parameter(name, value));
+      if (design.parameters.size() < most_parameters)
+        design.parameters.push_back(read_parameter(name, value));
   read_size(root["size_m"], design);
   for (const auto& palette : root["room"]["palettes"].elements_or_none(most_palettes)) {
     for (const auto& [role, word] : palette.members()) (void)word.text(100);

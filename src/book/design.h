@@ -35,9 +35,9 @@ struct Design {
   std::array<Expression, 2> usual;  ///< width and depth, over the parameters
   Vec2 least = Vec2::Ones(), most = Vec2::Ones();
   std::vector<Json> palettes;
-  Json programs;       ///< shape programs by name, which things refer to; an object
-  Json body;           ///< the plan's form, with formulas, without the members above
-  std::string source;  ///< its file
+  Json programs;          ///< shape programs by name, which things refer to; an object
+  Json body;              ///< the plan's form, with formulas, without the members above
+  std::string source;     ///< its file
   bool is_plain = false;  ///< it holds hardly anything: for rooms that no design is of
 };
 
@@ -63,8 +63,9 @@ struct Setting {
   Json openings;  ///< in the place of the design's, told in its frame; null: the design's
 };
 
-/// What a model would have answered that had this design in mind (design/plan_reply.h): formulas are
-/// numbers, "stands" is {"location": [x, y], "yaw_deg": number, "wall": bool} in the room's frame.
+/// What a model would have answered that had this design in mind (design/plan_reply.h): formulas
+/// are numbers, "stands" is {"location": [x, y], "yaw_deg": number, "wall": bool} in the room's
+/// frame.
 Result<Json> answer_of(const Design& design, const Setting& setting);
 
 }  // namespace roomgen::book

@@ -27,7 +27,10 @@ void renumber(std::vector<Draft>& drafts, std::size_t first) {
 class Merging {
  public:
   Merging(design::PlanParts parts, const brief::Brief& brief, const KindTable& kinds)
-      : brief_(brief), kinds_(kinds), drafts_(std::move(parts.drafts)), groups_(std::move(parts.groups)),
+      : brief_(brief),
+        kinds_(kinds),
+        drafts_(std::move(parts.drafts)),
+        groups_(std::move(parts.groups)),
         taken_(brief.mentions.size(), false) {
     complete();
     renumber(drafts_, brief.mentions.size());
@@ -69,9 +72,11 @@ class Merging {
     const auto& category = draft.item.category;
     return kinds_.is_any_of(category, brief_.excluded) ||
            std::any_of(brief_.limits.begin(), brief_.limits.end(), [&](const brief::Limit& limit) {
-             if (!limit.category.empty()) return false;  // "no other chairs": those of the wish stay
-             return limit.mount ? draft.item.mount == *limit.mount
-                                : limit.on != brief::no_mention && draft.item.mount == Mount::surface;
+             if (!limit.category.empty())
+               return false;  // "no other chairs": those of the wish stay
+             return limit.mount
+                        ? draft.item.mount == *limit.mount
+                        : limit.on != brief::no_mention && draft.item.mount == Mount::surface;
            });
   }
 
@@ -82,7 +87,8 @@ class Merging {
     const bool covers_window = kinds_.get(category).covers_window;
     return std::any_of(brief_.mentions.begin(), brief_.mentions.end(),
                        [&](const brief::Mention& mention) {
-                         if (covers_window && kinds_.get(mention.category).covers_window) return true;
+                         if (covers_window && kinds_.get(mention.category).covers_window)
+                           return true;
                          return mention.counted && !mention.at_least && mention.owner.empty() &&
                                 !mention.contradicts && kinds_.is_a(category, mention.category);
                        }) ||
@@ -100,7 +106,8 @@ class Merging {
     for (bool changed = !gone.empty(); changed;) {
       changed = false;
       for (const auto& draft : drafts_)
-        if (!draft.item.asked && depends_on(draft, gone)) changed |= gone.insert(draft.mention).second;
+        if (!draft.item.asked && depends_on(draft, gone))
+          changed |= gone.insert(draft.mention).second;
     }
     for (const auto& draft : drafts_)
       if (gone.count(draft.mention)) leave_group(draft);
@@ -113,13 +120,15 @@ class Merging {
   }
 
   bool depends_on(const Draft& draft, const std::set<std::size_t>& gone) const {
-    const bool is_on_gone = std::any_of(draft.demands.begin(), draft.demands.end(), [&](const Demand& demand) {
-      return demand.kind == RelationKind::on && gone.count(demand.mention) > 0;
-    });
+    const bool is_on_gone =
+        std::any_of(draft.demands.begin(), draft.demands.end(), [&](const Demand& demand) {
+          return demand.kind == RelationKind::on && gone.count(demand.mention) > 0;
+        });
     if (is_on_gone || draft.item.group.empty()) return is_on_gone;
     // Without its anchor a group is none.
     return std::any_of(drafts_.begin(), drafts_.end(), [&](const Draft& other) {
-      return gone.count(other.mention) > 0 && other.item.group == draft.item.group && is_anchor(other);
+      return gone.count(other.mention) > 0 && other.item.group == draft.item.group &&
+             is_anchor(other);
     });
   }
 
@@ -137,7 +146,8 @@ class Merging {
       if (group.id == draft.item.group) group.without.insert(draft.item.part);
   }
 
-  // 3: of the very kind; 2: a sort of what is wished for; 1: what is wished for is a sort of it; 0: another thing.
+  // 3: of the very kind; 2: a sort of what is wished for; 1: what is wished for is a sort of it; 0:
+  // another thing.
   int likeness(const Draft& draft, const brief::Mention& mention) const {
     const auto& category = draft.item.category;
     if (category == mention.category) return 3;
@@ -149,7 +159,8 @@ class Merging {
     const brief::Mention& mention = brief_.mentions[m];
     std::vector<std::size_t> fitting;
     for (std::size_t i = 0; i < drafts_.size(); ++i)
-      if (!matched_[i] && (exactly ? likeness(drafts_[i], mention) == 3 : likeness(drafts_[i], mention) > 0) &&
+      if (!matched_[i] &&
+          (exactly ? likeness(drafts_[i], mention) == 3 : likeness(drafts_[i], mention) > 0) &&
           may_be(drafts_[i], mention))
         fitting.push_back(i);
     if (fitting.empty()) return;
@@ -173,7 +184,8 @@ class Merging {
   }
 
   double rank(const Draft& draft, const brief::Mention& mention) const {
-    const double same_number = mention.counted && draft.item.quantity == mention.quantity ? 2.0 : 0.0;
+    const double same_number =
+        mention.counted && draft.item.quantity == mention.quantity ? 2.0 : 0.0;
     const double leads = is_anchor(draft) ? 1.0 : 0.0;
     return 10.0 * likeness(draft, mention) + same_number + leads - 0.1 * draft.item.spare;
   }
@@ -210,7 +222,8 @@ class Merging {
         if (draft.item.group == group.id) items.push_back(draft.item);
       const auto counts = set_part_count(group, items, item.part, number, kinds_);
       for (auto& draft : drafts_)
-        if (const auto count = counts.find(draft.item.part); draft.item.group == group.id && count != counts.end())
+        if (const auto count = counts.find(draft.item.part);
+            draft.item.group == group.id && count != counts.end())
           draft.item.quantity = count->second;
     }
     std::erase_if(groups_, [](const PlanGroup& group) { return group.id.empty(); });
@@ -221,7 +234,8 @@ class Merging {
       for (auto& demand : other.demands)
         if (demand.mention == draft.mention) demand.mention = m;
     auto asked = plan::asked_items(brief_, kinds_);
-    const auto own = std::find_if(asked.begin(), asked.end(), [&](const Draft& one) { return one.mention == m; });
+    const auto own = std::find_if(asked.begin(), asked.end(),
+                                  [&](const Draft& one) { return one.mention == m; });
     if (own == asked.end()) return;
     PlanItem& item = draft.item;
     draft.mention = m;
@@ -230,8 +244,10 @@ class Merging {
     draft.formation = own->formation;
     item.asked = true;
     item.spare = 0;
-    if (likeness(draft, mention) == 1) item.category = own->item.category, item.size = own->item.size;
-    if (!mention.looks.empty() || item.category == own->item.category) item.description = described(item, mention, own->item);
+    if (likeness(draft, mention) == 1)
+      item.category = own->item.category, item.size = own->item.size;
+    if (!mention.looks.empty() || item.category == own->item.category)
+      item.description = described(item, mention, own->item);
     if (own->sized) item.size = own->item.size;
     if (own->item.height) item.height = own->item.height;
     item.varied = item.varied || own->item.varied;
@@ -239,11 +255,13 @@ class Merging {
   }
 
   // The wish's words; of the design's what they leave open.
-  static std::string described(const PlanItem& item, const brief::Mention& mention, const PlanItem& own) {
+  static std::string described(const PlanItem& item, const brief::Mention& mention,
+                               const PlanItem& own) {
     return mention.looks.empty() ? item.description : own.description;
   }
 
-  // A relation to something outside takes the thing out of its group, but moves a whole group with its anchor.
+  // A relation to something outside takes the thing out of its group, but moves a whole group with
+  // its anchor.
   void add_demand(Draft& draft, const Demand& demand) {
     draft.demands.push_back(demand);
     if (demand.mention != Demand::none && is_in_group(demand.mention, draft.item.group)) return;

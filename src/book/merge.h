@@ -9,17 +9,17 @@
 
 namespace roomgen::book {
 
-/// A design with what a wish asks for in it. Drafts of the wish's things have its mentions, those of
-/// the design further numbers.
+/// A design with what a wish asks for in it. Drafts of the wish's things have its mentions, those
+/// of the design further numbers.
 struct Merged {
   std::vector<plan::Draft> drafts;
   std::vector<PlanGroup> groups;
   std::vector<std::string> added;  ///< kinds of things that the design has no place for, for people
 };
 
-/// Makes the design's own things what the wish asks for: as many, that look so, of that size, with its
-/// relations above the design's. What the wish forbids goes, with what stands on it. What the design
-/// does not have is added, in no group yet.
+/// Makes the design's own things what the wish asks for: as many, that look so, of that size, with
+/// its relations above the design's. What the wish forbids goes, with what stands on it. What the
+/// design does not have is added, in no group yet.
 Merged merge(design::PlanParts parts, const brief::Brief& brief, const KindTable& kinds);
 
 }  // namespace roomgen::book

@@ -16,8 +16,10 @@ using Tones = std::map<std::string, std::string, std::less<>>;
 
 void add_colors(const Json& table, Tones& tones) {
   for (const auto& [word, entry] : table.items()) {
-    if (entry.is_string()) tones.try_emplace(word, entry.get<std::string>());
-    else if (entry.is_object() && entry.contains("color")) tones.try_emplace(word, entry["color"].get<std::string>());
+    if (entry.is_string())
+      tones.try_emplace(word, entry.get<std::string>());
+    else if (entry.is_object() && entry.contains("color"))
+      tones.try_emplace(word, entry["color"].get<std::string>());
   }
 }
 
@@ -25,9 +27,13 @@ void add_colors(const Json& table, Tones& tones) {
 const Tones& tones() {
   static const Tones all = [] {
     Tones found;
-    const auto finishes = parse_json(resource("data/finishes.json").value_or("{}"), "data/finishes.json");
-    const auto words = parse_json(resource("data/create/words.json").value_or("{}"), "data/create/words.json");
-    if (finishes) add_colors(finishes->value("tones", Json::object()), found), add_colors(finishes->value("substances", Json::object()), found);
+    const auto finishes =
+        parse_json(resource("data/finishes.json").value_or("{}"), "data/finishes.json");
+    const auto words =
+        parse_json(resource("data/create/words.json").value_or("{}"), "data/create/words.json");
+    if (finishes)
+      add_colors(finishes->value("tones", Json::object()), found),
+          add_colors(finishes->value("substances", Json::object()), found);
     if (words) add_colors(words->value("materials", Json::object()), found);
     return found;
   }();

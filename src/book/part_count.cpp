@@ -17,12 +17,15 @@ constexpr int most_tried = 60;
 using Counts = std::map<std::string, int>;
 
 // Empty: it cannot be made so.
-Counts counts_of(const PlanGroup& group, const std::vector<PlanItem>& items, const KindTable& kinds) {
+Counts counts_of(const PlanGroup& group, const std::vector<PlanItem>& items,
+                 const KindTable& kinds) {
   Plan plan;
   plan.groups = {group};
   for (auto item : items) {
     item.quantity = 0;
-    const bool is_known = std::any_of(plan.items.begin(), plan.items.end(), [&](const PlanItem& other) { return other.part == item.part; });
+    const bool is_known =
+        std::any_of(plan.items.begin(), plan.items.end(),
+                    [&](const PlanItem& other) { return other.part == item.part; });
     if (!is_known) plan.items.push_back(std::move(item));
   }
   composition::complete_groups(plan, kinds);
@@ -54,8 +57,10 @@ void try_parameters(const PlanGroup& group, std::vector<PlanGroup>& tried) {
 
 // Of a group of its own: the parameters of the composition that is its unit, the number of a part,
 // the grid of the first.
-void try_definition(const PlanGroup& group, const std::string& part, int number, std::vector<PlanGroup>& tried) {
-  const auto json = group.definition.empty() ? Result<Json>(Error{}) : parse_json(group.definition, group.id);
+void try_definition(const PlanGroup& group, const std::string& part, int number,
+                    std::vector<PlanGroup>& tried) {
+  const auto json =
+      group.definition.empty() ? Result<Json>(Error{}) : parse_json(group.definition, group.id);
   if (!json || !json->contains("parts")) return;
   const auto offer = [&](const Json& changed) {
     tried.push_back(group);
@@ -65,11 +70,11 @@ void try_definition(const PlanGroup& group, const std::string& part, int number,
     const Json& one = (*json)["parts"][i];
     const Json with = one.contains("group") ? one.value("with", Json::object()) : Json::object();
     for (const auto& [name, value] : with.items())
-        for (int count = 1; count <= std::min(number, most_tried); ++count) {
-          Json changed = *json;
-          changed["parts"][i]["with"][name] = count;
-          offer(changed);
-        }
+      for (int count = 1; count <= std::min(number, most_tried); ++count) {
+        Json changed = *json;
+        changed["parts"][i]["with"][name] = count;
+        offer(changed);
+      }
     const bool is_it = one.value("part", std::string()) == part;
     if (is_it && (one.contains("beside") || one.contains("around")))
       for (const int share : {number, (number + 1) / 2, (number + 3) / 4}) {
@@ -78,7 +83,8 @@ void try_definition(const PlanGroup& group, const std::string& part, int number,
         offer(changed);
       }
     if (!one.contains("repeat") || !one["repeat"].contains("rows")) continue;
-    const double rows = one["repeat"]["rows"].is_number() ? one["repeat"]["rows"].get<double>() : 1.0;
+    const double rows =
+        one["repeat"]["rows"].is_number() ? one["repeat"]["rows"].get<double>() : 1.0;
     for (double columns = 1.0; columns <= number; columns += 1.0) {
       Json changed = *json;
       changed["parts"][i]["repeat"]["columns"] = columns;
@@ -92,7 +98,8 @@ void try_definition(const PlanGroup& group, const std::string& part, int number,
 }  // namespace
 
 std::map<std::string, int> set_part_count(PlanGroup& group, const std::vector<PlanItem>& items,
-                                          const std::string& part, int number, const KindTable& kinds) {
+                                          const std::string& part, int number,
+                                          const KindTable& kinds) {
   Counts best = counts_of(group, items, kinds);
   std::vector<PlanGroup> tried;
   try_parameters(group, tried);
@@ -100,7 +107,8 @@ std::map<std::string, int> set_part_count(PlanGroup& group, const std::vector<Pl
   PlanGroup chosen = group;
   for (const auto& one : tried) {
     const Counts counts = counts_of(one, items, kinds);
-    if (std::abs(of_part(counts, part) - number) >= std::abs(of_part(best, part) - number)) continue;
+    if (std::abs(of_part(counts, part) - number) >= std::abs(of_part(best, part) - number))
+      continue;
     best = counts;
     chosen = one;
     if (of_part(best, part) == number) break;

@@ -31,11 +31,13 @@ namespace {
 using plan::Draft;
 
 constexpr int most_attempts = 5;
-constexpr double growth = 1.06;          ///< of the sides from attempt to attempt
-constexpr double about_as_good = 2.0;    ///< of the score: by seed another design
-constexpr double floor_beside = 2.2;     ///< of a thing that is added: its floor with what is around it
+constexpr double growth = 1.06;        ///< of the sides from attempt to attempt
+constexpr double about_as_good = 2.0;  ///< of the score: by seed another design
+constexpr double floor_beside =
+    2.2;  ///< of a thing that is added: its floor with what is around it
 constexpr double none_of_its_kind = 1e6;
-constexpr double of_asked = 20.0, of_design = 5.0, of_spare = 1.0, of_broken = 2.0, of_dropped = 0.6;  ///< faults
+constexpr double of_asked = 20.0, of_design = 5.0, of_spare = 1.0, of_broken = 2.0,
+                 of_dropped = 0.6;         ///< faults
 constexpr std::size_t most_dry_run = 160;  ///< things; larger plans are taken as they are
 constexpr std::size_t most_designs_tried = 2;
 constexpr double enough_things = 3.0;  ///< asked for that a design of another kind has, to be taken
@@ -60,18 +62,26 @@ struct Try {
 
 class Planner {
  public:
-  Planner(const PlanRequest& request, const brief::Brief& brief, const std::vector<const Design*>& designs,
-          bool is_probe = false)
-      : request_(request), brief_(brief), designs_(designs), rooms_(*brief::built_in_room_kinds()),
-        kinds_(KindTable::built_in()), arrangements_(*built_in_arrangements()), grouping_(kinds_, arrangements_),
-        random_(request.seed), light_(plan::light_of(brief_)), is_probe_(is_probe) {
+  Planner(const PlanRequest& request, const brief::Brief& brief,
+          const std::vector<const Design*>& designs, bool is_probe = false)
+      : request_(request),
+        brief_(brief),
+        designs_(designs),
+        rooms_(*brief::built_in_room_kinds()),
+        kinds_(KindTable::built_in()),
+        arrangements_(*built_in_arrangements()),
+        grouping_(kinds_, arrangements_),
+        random_(request.seed),
+        light_(plan::light_of(brief_)),
+        is_probe_(is_probe) {
     choose_kind();
   }
 
   Result<Plan> plan() {
     std::vector<std::string> notes;
     const auto shell = shell_of(notes);
-    const Wanted wanted{brief_, brief_.type, shell ? std::optional(bounds(shell->polygon).size()) : said_size()};
+    const Wanted wanted{brief_, brief_.type,
+                        shell ? std::optional(bounds(shell->polygon).size()) : said_size()};
     auto all = candidates(designs_, wanted, kinds_);
     if (all.empty()) return Error{Error::Kind::invalid_input, "the book of designs is empty"};
     if (!all.front().is_of_kind) take_nearest(all);
@@ -81,7 +91,8 @@ class Planner {
       if (best && (best->fault < of_asked || !all[d].is_of_kind)) break;
       auto attempt = best_of(all[d], shell ? &*shell : nullptr);
       if (!attempt) return attempt.error();
-      if (!best || attempt->fault < best->fault) best = *std::move(attempt), tell_design(all[d], best->plan);
+      if (!best || attempt->fault < best->fault)
+        best = *std::move(attempt), tell_design(all[d], best->plan);
     }
     best->plan.notes.insert(best->plan.notes.end(), notes.begin(), notes.end());
     return finished(*std::move(best));
@@ -92,11 +103,15 @@ class Planner {
     is_called_ = !brief_.type.empty() || (request_.room && !request_.room->type.empty());
     brief_.type = room_type_of(request_, brief_);
     if (!is_called_)
-      brief_.notes.push_back(brief_.type == "room" ? "the prompt names no kind of room; little was added to what it names"
-                                                   : "the prompt names no kind of room; taken for a " + brief_.type);
+      brief_.notes.push_back(
+          brief_.type == "room"
+              ? "the prompt names no kind of room; little was added to what it names"
+              : "the prompt names no kind of room; taken for a " + brief_.type);
     kind_ = design::kind_of_room(brief_.type, rooms_);
-    if (is_called_ && !brief_.type_guessed) kind_.made_by = plan::needed_makers(kind_, brief_, kinds_);
-    else kind_.made_by.clear();
+    if (is_called_ && !brief_.type_guessed)
+      kind_.made_by = plan::needed_makers(kind_, brief_, kinds_);
+    else
+      kind_.made_by.clear();
     if (brief_.height) kind_.height = *brief_.height;
   }
 
@@ -112,16 +127,23 @@ class Planner {
     if (request_.room) {
       Room room = *request_.room;
       if (room.type.empty()) room.type = brief_.type;
-      if (!brief_.openings.empty()) notes.push_back("the doors and windows of the floor plan were kept");
+      if (!brief_.openings.empty())
+        notes.push_back("the doors and windows of the floor plan were kept");
       plan::ensure_door(room, kind_, notes);
       return room;
     }
-    if (brief_.openings.empty() && brief_.shape.is_rectangle() && !brief_.windows && !brief_.wide_windows) return std::nullopt;
+    if (brief_.openings.empty() && brief_.shape.is_rectangle() && !brief_.windows &&
+        !brief_.wide_windows)
+      return std::nullopt;
     Random random = random_.fork("windows");
-    const int windows = brief_.windows ? std::min(3, *brief_.windows) : random.integer(kind_.windows.low, kind_.windows.high);
+    const int windows = brief_.windows ? std::min(3, *brief_.windows)
+                                       : random.integer(kind_.windows.low, kind_.windows.high);
     const Vec2 size = said_size().value_or(size_by_designs());
-    const auto outline = plan::choose_outline(brief_, size, request_.size || brief_.size, notes, random_.fork("outline"));
-    return plan::make_room(kind_, outline, {windows, brief_.windows.has_value(), brief_.wide_windows, brief_.openings, brief_.told_from_door},
+    const auto outline = plan::choose_outline(brief_, size, request_.size || brief_.size, notes,
+                                              random_.fork("outline"));
+    return plan::make_room(kind_, outline,
+                           {windows, brief_.windows.has_value(), brief_.wide_windows,
+                            brief_.openings, brief_.told_from_door},
                            random_.fork("openings"), notes);
   }
 
@@ -144,15 +166,19 @@ class Planner {
 
   // The book lacks the kind: what has several of the things that are asked for, else an empty room.
   void take_nearest(std::vector<Candidate>& all) const {
-    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.things > b.things; });
+    std::stable_sort(all.begin(), all.end(),
+                     [](const auto& a, const auto& b) { return a.things > b.things; });
     if (all.front().things >= enough_things) return;
-    const auto plain = std::find_if(all.begin(), all.end(), [](const Candidate& one) { return one.design->is_plain; });
+    const auto plain = std::find_if(all.begin(), all.end(),
+                                    [](const Candidate& one) { return one.design->is_plain; });
     if (plain != all.end()) std::rotate(all.begin(), plain, plain + 1), all.resize(1);
   }
 
   void choose_by_seed(std::vector<Candidate>& all) const {
     std::size_t good = 1;
-    while (good < all.size() && all[good].is_of_kind == all.front().is_of_kind && all[good].score >= all.front().score - about_as_good) ++good;
+    while (good < all.size() && all[good].is_of_kind == all.front().is_of_kind &&
+           all[good].score >= all.front().score - about_as_good)
+      ++good;
     Random random = random_.fork("design");
     const auto chosen = static_cast<std::ptrdiff_t>(random.integer(0, static_cast<int>(good) - 1));
     std::rotate(all.begin(), all.begin() + chosen, all.begin() + chosen + 1);
@@ -189,7 +215,9 @@ class Planner {
     setting.height = candidate_height(*candidate.design);
     Random random = random_.fork("setting");
     const auto& palettes = candidate.design->palettes;
-    if (!palettes.empty()) setting.palette = palettes[static_cast<std::size_t>(random.integer(0, static_cast<int>(palettes.size()) - 1))];
+    if (!palettes.empty())
+      setting.palette = palettes[static_cast<std::size_t>(
+          random.integer(0, static_cast<int>(palettes.size()) - 1))];
     if (given) {
       setting.size = bounds(given->polygon).size();
       setting.height = given->height;
@@ -216,7 +244,9 @@ class Planner {
   double candidate_height(const Design& design) const {
     if (brief_.height) return *brief_.height;
     const Json room = design.body.value("room", Json::object());
-    return room.contains("height_m") && room["height_m"].is_number() ? room["height_m"].get<double>() : kind_.height;
+    return room.contains("height_m") && room["height_m"].is_number()
+               ? room["height_m"].get<double>()
+               : kind_.height;
   }
 
   Result<Attempt> try_out(const Try& one, double bar) {
@@ -241,7 +271,8 @@ class Planner {
     auto merged = merge(*std::move(parts), brief_, kinds_);
     const plan::Looks looks = looks_for();
     for (auto& draft : merged.drafts)
-      if (draft.item.asked) draft.item.description = looks.in_style(draft.item.category, draft.item.description);
+      if (draft.item.asked)
+        draft.item.description = looks.in_style(draft.item.category, draft.item.description);
     plan::one_for_each_window(merged.drafts, brief_, plan.room, kinds_);
     for (const auto& draft : merged.drafts)
       if (draft.item.asked && draft.item.group.empty() && !draft.item.location)
@@ -261,9 +292,13 @@ class Planner {
       if (!answer.contains(list) || !answer[list].is_array()) continue;
       Json kept = Json::array();
       for (const auto& one : answer[list]) {
-        const int spare = one.is_object() && one.contains("spare") && one["spare"].is_number() ? one["spare"].get<int>() : 0;
-        if (spare == 0 || spare > most) kept.push_back(one);
-        else dropped += 1 + static_cast<int>(one.value("things", Json::array()).size());
+        const int spare = one.is_object() && one.contains("spare") && one["spare"].is_number()
+                              ? one["spare"].get<int>()
+                              : 0;
+        if (spare == 0 || spare > most)
+          kept.push_back(one);
+        else
+          dropped += 1 + static_cast<int>(one.value("things", Json::array()).size());
       }
       answer[list] = std::move(kept);
     }
@@ -274,12 +309,15 @@ class Planner {
     std::vector<std::string> unwanted;
     for (const auto& [category, look] : brief_.excluded_looks)
       if (category.empty()) unwanted.push_back(look);
-    return {rooms_, kinds_, brief_.styles, plan::style_of_palette(brief_.palette), unwanted, random_.fork("looks")};
+    return {rooms_,        kinds_,
+            brief_.styles, plan::style_of_palette(brief_.palette),
+            unwanted,      random_.fork("looks")};
   }
 
   void dress_shell(Room& room) const {
     if (!request_.room) {
-      if (const auto* style = plan::style_named(rooms_, brief_.styles)) plan::put_on(room, *style, random_.fork("style"));
+      if (const auto* style = plan::style_named(rooms_, brief_.styles))
+        plan::put_on(room, *style, random_.fork("style"));
       plan::put_on(room, plan::style_of_palette(brief_.palette), random_.fork("palette"));
     }
     plan::put_on(room, brief_.materials);
@@ -297,13 +335,15 @@ class Planner {
       attempt.drafts.emplace_back();
       attempt.drafts.back().item = plan.items[i];
     }
-    for (std::size_t i = 0; i < plan.items.size(); ++i) attempt.drafts[i].item.quantity = plan.items[i].quantity;
+    for (std::size_t i = 0; i < plan.items.size(); ++i)
+      attempt.drafts[i].item.quantity = plan.items[i].quantity;
   }
 
   void judge(Attempt& attempt, double bar) const {
     if (planned_objects(attempt.plan).size() > most_dry_run) return;
     const auto fault = [&](const DryRun& run) { return fault_of(attempt.plan, run); };
-    DryRun run = dry_run(attempt.plan, kinds_, arrangements_, [&](const DryRun& so_far) { return fault(so_far) >= bar; });
+    DryRun run = dry_run(attempt.plan, kinds_, arrangements_,
+                         [&](const DryRun& so_far) { return fault(so_far) >= bar; });
     attempt.fault = fault(run);
     attempt.is_of_its_kind = holds_maker(attempt.plan, run);
     attempt.missed = std::move(run.missed);
@@ -313,15 +353,16 @@ class Planner {
     double fault = of_broken * run.broken + (holds_maker(plan, run) ? 0.0 : none_of_its_kind);
     for (const auto& object : run.missed) {
       const PlanItem& item = plan.items[object.item];
-      fault += item.asked && item.spare == 0 ? (is_said(plan, object) ? of_asked : of_design) : item.spare > 0 ? of_spare : of_design;
+      fault += item.asked && item.spare == 0 ? (is_said(plan, object) ? of_asked : of_design)
+               : item.spare > 0              ? of_spare
+                                             : of_design;
     }
     return fault;
   }
   bool is_said(const Plan& plan, const PlannedObject& object) const {
     const auto& category = plan.items[object.item].category;
-    return std::any_of(brief_.mentions.begin(), brief_.mentions.end(), [&](const brief::Mention& mention) {
-      return mention.category == category;
-    });
+    return std::any_of(brief_.mentions.begin(), brief_.mentions.end(),
+                       [&](const brief::Mention& mention) { return mention.category == category; });
   }
 
   bool holds_maker(const Plan& plan, const DryRun& run) const {
@@ -330,7 +371,9 @@ class Planner {
     for (std::size_t i = 0; i < plan.items.size(); ++i) {
       if (!kinds_.is_any_of(plan.items[i].category, kind_.made_by)) continue;
       has_any = true;
-      const auto missed = std::count_if(run.missed.begin(), run.missed.end(), [&](const PlannedObject& object) { return object.item == i; });
+      const auto missed =
+          std::count_if(run.missed.begin(), run.missed.end(),
+                        [&](const PlannedObject& object) { return object.item == i; });
       if (plan.items[i].quantity > missed) return true;
     }
     return !has_any;
@@ -340,7 +383,9 @@ class Planner {
   Error too_small(const Plan& plan) const {
     std::vector<std::string> makers;
     for (const auto& item : plan.items)
-      if (kinds_.is_any_of(item.category, kind_.made_by) && !std::count(makers.begin(), makers.end(), item.category)) makers.push_back(item.category);
+      if (kinds_.is_any_of(item.category, kind_.made_by) &&
+          !std::count(makers.begin(), makers.end(), item.category))
+        makers.push_back(item.category);
     const Error error = plan::no_place_for(makers, plan.room);
     if (is_probe_) return error;
     const auto works = [&](const Vec2& size) {

@@ -16,8 +16,8 @@ constexpr const char* sides[] = {"south", "east", "north", "west"};
 
 /// An opening as seen from the box of its room.
 struct Seen {
-  int side = 0;      ///< south, east, north, west
-  double at = 0.5;   ///< part of the way along the box, counter-clockwise
+  int side = 0;     ///< south, east, north, west
+  double at = 0.5;  ///< part of the way along the box, counter-clockwise
   double width = 1.0;
   double sill = 0.0;
   bool is_window = false;
@@ -31,8 +31,10 @@ std::vector<Seen> seen_in(const Room& room) {
     const Segment hole = segment(room, opening);
     const Vec2 middle = 0.5 * (hole.a + hole.b) - box.low, size = box.size();
     Seen seen{0, 0.5, opening.width(), opening.sill, !opening.is_entrance()};
-    if (std::abs(out.x()) > std::abs(out.y())) seen.side = out.x() > 0.0 ? 1 : 3, seen.at = middle.y() / size.y();
-    else seen.side = out.y() > 0.0 ? 2 : 0, seen.at = middle.x() / size.x();
+    if (std::abs(out.x()) > std::abs(out.y()))
+      seen.side = out.x() > 0.0 ? 1 : 3, seen.at = middle.y() / size.y();
+    else
+      seen.side = out.y() > 0.0 ? 2 : 0, seen.at = middle.x() / size.x();
     if (seen.side >= 2) seen.at = 1.0 - seen.at;
     all.push_back(seen);
   }
@@ -48,7 +50,10 @@ Json told_back(std::vector<Seen> seen, const Setting& setting) {
       if (one.side % 2 == 1) one.side = 4 - one.side;
       one.at = 1.0 - one.at;
     }
-    openings.push_back({{"kind", one.is_window ? "window" : "door"}, {"wall", sides[one.side]}, {"at", one.at}, {"width", one.width}});
+    openings.push_back({{"kind", one.is_window ? "window" : "door"},
+                        {"wall", sides[one.side]},
+                        {"at", one.at},
+                        {"width", one.width}});
   }
   return openings;
 }
@@ -57,13 +62,17 @@ Json told_back(std::vector<Seen> seen, const Setting& setting) {
 double conflicts(const Json& one, const std::vector<Seen>& seen, const Room& room) {
   if (!one.contains("stands") || !one["stands"].contains("location")) return 0.0;
   const Bounds2 box = bounds(room.polygon);
-  const Vec2 at(one["stands"]["location"][0].get<double>(), one["stands"]["location"][1].get<double>());
+  const Vec2 at(one["stands"]["location"][0].get<double>(),
+                one["stands"]["location"][1].get<double>());
   double fault = contains(room.polygon, box.low + at) ? 0.0 : of_outside;
   if (!one["stands"].value("wall", false)) return fault;
-  const Json* thing = one.contains("things") && !one["things"].empty() ? &one["things"].front() : &one;
+  const Json* thing =
+      one.contains("things") && !one["things"].empty() ? &one["things"].front() : &one;
   const Json size = thing->value("size_cm", Json::array({60, 60, 100}));
-  const bool is_sized = size.is_array() && size.size() == 3 && size[0].is_number() && size[2].is_number();
-  const double half = is_sized ? size[0].get<double>() / 200.0 : 0.3, height = is_sized ? size[2].get<double>() / 100.0 : 1.0;
+  const bool is_sized =
+      size.is_array() && size.size() == 3 && size[0].is_number() && size[2].is_number();
+  const double half = is_sized ? size[0].get<double>() / 200.0 : 0.3,
+               height = is_sized ? size[2].get<double>() / 100.0 : 1.0;
   const Vec2 extent = box.size();
   const double distances[] = {at.y(), extent.x() - at.x(), extent.y() - at.y(), at.x()};
   const auto side = static_cast<int>(std::min_element(distances, distances + 4) - distances);
@@ -74,8 +83,10 @@ double conflicts(const Json& one, const std::vector<Seen>& seen, const Room& roo
     if (side >= 2) along = length - along;
     const double own = side % 2 == 0 ? at.x() : at.y();
     if (std::abs(own - along) >= half + 0.5 * opening.width) continue;
-    if (!opening.is_window) fault += of_door;
-    else if (height > opening.sill + window_overlap) fault += of_window;
+    if (!opening.is_window)
+      fault += of_door;
+    else if (height > opening.sill + window_overlap)
+      fault += of_window;
   }
   return fault;
 }
@@ -109,7 +120,8 @@ void suit(const Design& design, const Room& room, Setting& setting) {
       double fault = unlike(design, tried.openings);
       for (const char* list : {"groups", "objects"})
         for (const auto& one : answer->value(list, Json::array()))
-          if (one.is_object()) fault += conflicts(one, seen, room) * (one.contains("spare") ? 0.5 : 1.0);
+          if (one.is_object())
+            fault += conflicts(one, seen, room) * (one.contains("spare") ? 0.5 : 1.0);
       const Vec2 size = turns % 2 == 0 ? setting.size : Vec2(setting.size.y(), setting.size.x());
       fault += of_narrow * (usual - size).cwiseMax(0.0).sum();
       if (fault >= least) continue;

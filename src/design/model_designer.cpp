@@ -15,9 +15,9 @@
 #include "plan/claim.h"
 #include "plan_reply.h"
 #include "planned_place.h"
-#include "together.h"
 #include "roomgen/base/text.h"
 #include "roomgen/chat/chat_model.h"
+#include "together.h"
 
 namespace roomgen {
 

@@ -137,7 +137,8 @@ Result<PlanParts> read_plan_parts(const Json& json, const PlanRequest& request,
   parts.groups = read_reply_groups(groups, lexicon, parts.drafts, repairs);
   parts.excluded = read_excluded(json, brief, lexicon);
   leave_out_excluded(parts.drafts, parts.excluded, categories, repairs);
-  parts.room = read_reply_room(json, request, kind, brief, plan::floor_area(parts.drafts, categories), repairs);
+  parts.room = read_reply_room(json, request, kind, brief,
+                               plan::floor_area(parts.drafts, categories), repairs);
   plan::put_on(parts.room, brief.materials);
   read_reply_look(json, parts.room, repairs);
   Plan opened;
@@ -164,7 +165,8 @@ Result<PlanReply> read_plan_reply(std::string_view text, const PlanRequest& requ
   auto parts = read_plan_parts(json, request, brief, categories);
   if (!parts) return parts.error();
   if (parts->drafts.empty())
-    return invalid("the answer's \"objects\" name nothing that can be placed: " + join(parts->repairs, "; "));
+    return invalid("the answer's \"objects\" name nothing that can be placed: " +
+                   join(parts->repairs, "; "));
   for (auto& draft : parts->drafts) draft.item.asked = is_mentioned(draft.item, brief, categories);
 
   PlanReply reply{{}, std::move(found->repairs)};

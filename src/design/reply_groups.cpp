@@ -326,7 +326,8 @@ class GroupReader {
     put(*thing_of(draft), *said, of, count, part);
     if (!said->before.empty()) part["before"] = target(said->before, parts);
     if (item.spare > 0) part["spare"] = item.spare;
-    if (const auto mount = parse_mount(text_in(member(*thing_of(draft), {"place"})))) part["mount"] = name(*mount);
+    if (const auto mount = parse_mount(text_in(member(*thing_of(draft), {"place"}))))
+      part["mount"] = name(*mount);
     parts.push_back(std::move(part));
   }
 
@@ -340,7 +341,8 @@ class GroupReader {
     if (const auto gap = number_of(thing, {"gap m", "gap"}); gap && (in_a_row || key == "above"))
       part["gap"] = *gap;
     else if (key == "around") part["gap"] = -0.1;
-    if (const std::string align = text_in(member(thing, {"align"})); in_a_row && (align == "back" || align == "front"))
+    if (const std::string align = text_in(member(thing, {"align"}));
+        in_a_row && (align == "back" || align == "front"))
       part["align"] = align;
     if (const Json* at = member(thing, {"at m", "at"}); at && !in_a_row && at->is_array() && at->size() == 2) part["at"] = *at;
     // Several share the thing below evenly.
@@ -359,8 +361,8 @@ class GroupReader {
   // At a place within a table's own outline is on it, unless it is a rug or a seat.
   bool is_within(const Json& thing, const std::string& kind, const std::string& of) const {
     const Json* at = member(thing, {"at m", "at"});
-    const bool is_place =
-        at && !member(thing, {"place"}) && at->is_array() && at->size() == 2 && (*at)[0].is_number() && (*at)[1].is_number();
+    const bool is_place = at && !member(thing, {"place"}) && at->is_array() && at->size() == 2 &&
+                          (*at)[0].is_number() && (*at)[1].is_number();
     if (!is_place || kinds_.get(kind).traits.flat || kinds_.is_a(kind, "seat")) return false;
     const Vec3 outline = size_of(of);
     return std::abs((*at)[0].get<double>()) < 0.5 * outline.x() &&

@@ -129,7 +129,8 @@ class ItemReader {
     if (is_sized || mount)
       item.category = category_of({name, description, is_sized ? item.size : std::nullopt, mount});
     // A name is what people say in such a room; a kind is that kind.
-    if (const Kind* kind = lexicon_.table.by_name(text_in(member(value, {"kind"})))) item.category = kind->name;
+    if (const Kind* kind = lexicon_.table.by_name(text_in(member(value, {"kind"}))))
+      item.category = kind->name;
     if (!lexicon_.table.find(item.category))
       note("\"" + item.category + "\" is no known kind of thing");
     item.description = shortened(told_with_name(plain_name(name), description, item.category), max_description);
@@ -161,7 +162,8 @@ class ItemReader {
     const std::size_t self = drafts_.size() - 1;
     const Json* top = member(value, on_top_keys);
     if (!top) return;
-    const std::string group = std::exchange(group_, "");  // what says nothing of where it is in the group
+    const std::string group =
+        std::exchange(group_, "");  // what says nothing of where it is in the group
     read_list(*top, self, nesting + 1);
     group_ = group;
   }
@@ -240,7 +242,8 @@ class ItemReader {
   static void read_place(const Json& value, PlanItem& item) {
     const ReplyStands stands = read_reply_stands(value);
     item.location = stands.location, item.facing = stands.facing;
-    if (stands.at_wall && item.mount == Mount::floor) item.relations.push_back({RelationKind::edge, ""});
+    if (stands.at_wall && item.mount == Mount::floor)
+      item.relations.push_back({RelationKind::edge, ""});
     read_spare(value, item);
   }
 

@@ -37,7 +37,8 @@ Status check_request(const PlanRequest& request) {
       if (!(side >= least_room_side && side <= greatest_room_side))
         return invalid("a room of " + format_number(request.size->x()) + " x " +
                        format_number(request.size->y()) + " m: sides must be from " +
-                       format_number(least_room_side) + " to " + format_number(greatest_room_side) + " m");
+                       format_number(least_room_side) + " to " + format_number(greatest_room_side) +
+                       " m");
   if (request.room) return check(*request.room);
   return {};
 }

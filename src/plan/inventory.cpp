@@ -376,7 +376,8 @@ void one_for_each_window(std::vector<Draft>& drafts, const brief::Brief& brief, 
         !table.get(draft.item.category).covers_window)
       continue;
     const bool is_of_design = draft.mention >= brief.mentions.size();
-    if (is_of_design || brief.mentions[draft.mention].open) draft.item.quantity = std::max(1, windows);
+    if (is_of_design || brief.mentions[draft.mention].open)
+      draft.item.quantity = std::max(1, windows);
   }
 }
 

@@ -256,7 +256,8 @@ std::vector<Draft> order_items(std::vector<Draft> drafts, const KindTable& table
   for (std::size_t i = 0; i < drafts.size(); ++i)
     for (auto& relation : resolver.relations_of(drafts[i])) {
       auto& own = plan.items[i].relations;
-      if (std::find(own.begin(), own.end(), relation) == own.end()) own.push_back(std::move(relation));
+      if (std::find(own.begin(), own.end(), relation) == own.end())
+        own.push_back(std::move(relation));
     }
   return drafts;
 }
