@@ -20,20 +20,20 @@ def furnish(roomgen, designer, wish, seed, folder):
                           capture_output=True, text=True, stdin=subprocess.DEVNULL)
     seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
     row = {"wish": wish, "exit": done.returncode, "seconds": round(seconds, 2)}
-    notes = done.stderr
     try:
         summary = json.loads(done.stdout)
     except json.JSONDecodeError:
-        return {**row, "error": notes.strip()[-300:]}
+        return {**row, "error": done.stderr.strip()[-300:]}
+    plan = json.loads((folder / "plan.json").read_text())
+    notes = [note for room in plan.get("rooms", [plan]) for note in room.get("notes", [])]
     verdicts = [one["verdict"] for one in summary["requirements"]]
     row.update(met=verdicts.count("met"), not_met=verdicts.count("not met"),
                not_judged=len(verdicts) - verdicts.count("met") - verdicts.count("not met"),
                objects=summary["objects"], left_out=len(summary["unplaced"]), type=summary.get("room_type", "dwelling"),
                lost=[one["clause"] for one in summary["requirements"] if one["verdict"] == "not met"],
                unplaced=[f"{one['id']}: {one['reason'][:120]}" for one in summary["unplaced"]],
-               design=[line.split('"')[1] for line in notes.splitlines() if "designed after" in line],
-               of_kind="the book has no design of" not in notes,
-               moved=sum("from its place" in line for line in notes.splitlines()))
+               design=[note.split('"')[1] for note in notes if note.startswith("designed after")],
+               of_kind=not any("the book has no design of" in note for note in notes))
     return row
 
 
@@ -63,7 +63,6 @@ def main():
         "of_their_kind_percent": round(100 * sum(row["of_kind"] for row in good) / max(1, len(rows)), 1),
         "clauses_met_percent": round(100 * sum(row["met"] for row in good) / max(1, clauses), 1), "clauses": clauses,
         "left_out_percent": round(100 * sum(row["left_out"] for row in good) / max(1, sum(row["objects"] + row["left_out"] for row in good)), 2),
-        "moved_percent": round(100 * sum(row["moved"] for row in good) / max(1, sum(row["objects"] for row in good)), 1),
         "objects_mean": round(sum(row["objects"] for row in good) / max(1, len(good)), 1),
         "seconds_median": times[len(times) // 2] if times else None,
     }

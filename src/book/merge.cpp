@@ -155,18 +155,23 @@ class Merging {
     return kinds_.is_a(mention.category, category) ? 1 : 0;
   }
 
-  void match(std::size_t m, bool exactly) {
-    const brief::Mention& mention = brief_.mentions[m];
+  // Of the design's things those that the mention may mean, the likeliest first.
+  std::vector<std::size_t> meant_by(const brief::Mention& mention, bool exactly) const {
+    const int least = exactly ? 3 : 1;
     std::vector<std::size_t> fitting;
     for (std::size_t i = 0; i < drafts_.size(); ++i)
-      if (!matched_[i] &&
-          (exactly ? likeness(drafts_[i], mention) == 3 : likeness(drafts_[i], mention) > 0) &&
-          may_be(drafts_[i], mention))
+      if (!matched_[i] && likeness(drafts_[i], mention) >= least && may_be(drafts_[i], mention))
         fitting.push_back(i);
-    if (fitting.empty()) return;
     std::stable_sort(fitting.begin(), fitting.end(), [&](std::size_t a, std::size_t b) {
       return rank(drafts_[a], mention) > rank(drafts_[b], mention);
     });
+    return fitting;
+  }
+
+  void match(std::size_t m, bool exactly) {
+    const brief::Mention& mention = brief_.mentions[m];
+    const auto fitting = meant_by(mention, exactly);
+    if (fitting.empty()) return;
     taken_[m] = true;
     const std::string category = drafts_[fitting.front()].item.category;
     int open = mention.counted ? mention.quantity : 0;

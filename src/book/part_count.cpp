@@ -55,6 +55,21 @@ void try_parameters(const PlanGroup& group, std::vector<PlanGroup>& tried) {
   }
 }
 
+template <typename Offer>
+void try_grid(const Json& json, std::size_t i, int number, Offer offer) {
+  const Json& one = json["parts"][i];
+  if (!one.contains("repeat") || !one["repeat"].contains("rows")) return;
+  const double rows = one["repeat"]["rows"].is_number() ? one["repeat"]["rows"].get<double>() : 1.0;
+  for (double columns = 1.0; columns <= number; columns += 1.0) {
+    Json changed = json;
+    Json& repeat = changed["parts"][i]["repeat"];
+    repeat["columns"] = columns;
+    repeat["rows"] = std::min(rows + 1.0, std::ceil(number / columns));
+    repeat["number"] = std::min<double>(number, columns * (rows + 1.0));
+    offer(changed);
+  }
+}
+
 // Of a group of its own: the parameters of the composition that is its unit, the number of a part,
 // the grid of the first.
 void try_definition(const PlanGroup& group, const std::string& part, int number,
@@ -82,16 +97,7 @@ void try_definition(const PlanGroup& group, const std::string& part, int number,
         changed["parts"][i]["count"] = share;
         offer(changed);
       }
-    if (!one.contains("repeat") || !one["repeat"].contains("rows")) continue;
-    const double rows =
-        one["repeat"]["rows"].is_number() ? one["repeat"]["rows"].get<double>() : 1.0;
-    for (double columns = 1.0; columns <= number; columns += 1.0) {
-      Json changed = *json;
-      changed["parts"][i]["repeat"]["columns"] = columns;
-      changed["parts"][i]["repeat"]["rows"] = std::min(rows + 1.0, std::ceil(number / columns));
-      changed["parts"][i]["repeat"]["number"] = std::min<double>(number, columns * (rows + 1.0));
-      offer(changed);
-    }
+    try_grid(*json, i, number, offer);
   }
 }
 

@@ -58,36 +58,42 @@ Json told_back(std::vector<Seen> seen, const Setting& setting) {
   return openings;
 }
 
-// Of what stands: its width, height and place; the first thing of a group is its anchor.
+/// What stands at a wall: half its width, and its height.
+struct AtWall {
+  double half = 0.3, height = 1.0;
+};
+
+// The first thing of a group is its anchor.
+AtWall at_wall(const Json& one) {
+  const bool is_group = one.contains("things") && !one["things"].empty();
+  const Json size = (is_group ? one["things"].front() : one).value("size_cm", Json());
+  if (!size.is_array() || size.size() != 3 || !size[0].is_number() || !size[2].is_number())
+    return {};
+  return {size[0].get<double>() / 200.0, size[2].get<double>() / 100.0};
+}
+
+// What is before an opening of its wall.
+double of_opening(const Seen& opening, const AtWall& thing, double along, double length) {
+  double middle = length * opening.at;
+  if (opening.side >= 2) middle = length - middle;
+  if (std::abs(along - middle) >= thing.half + 0.5 * opening.width) return 0.0;
+  if (!opening.is_window) return of_door;
+  return thing.height > opening.sill + window_overlap ? of_window : 0.0;
+}
+
 double conflicts(const Json& one, const std::vector<Seen>& seen, const Room& room) {
   if (!one.contains("stands") || !one["stands"].contains("location")) return 0.0;
   const Bounds2 box = bounds(room.polygon);
-  const Vec2 at(one["stands"]["location"][0].get<double>(),
-                one["stands"]["location"][1].get<double>());
+  const Vec2 extent = box.size();
+  const Json& location = one["stands"]["location"];
+  const Vec2 at(location[0].get<double>(), location[1].get<double>());
   double fault = contains(room.polygon, box.low + at) ? 0.0 : of_outside;
   if (!one["stands"].value("wall", false)) return fault;
-  const Json* thing =
-      one.contains("things") && !one["things"].empty() ? &one["things"].front() : &one;
-  const Json size = thing->value("size_cm", Json::array({60, 60, 100}));
-  const bool is_sized =
-      size.is_array() && size.size() == 3 && size[0].is_number() && size[2].is_number();
-  const double half = is_sized ? size[0].get<double>() / 200.0 : 0.3,
-               height = is_sized ? size[2].get<double>() / 100.0 : 1.0;
-  const Vec2 extent = box.size();
   const double distances[] = {at.y(), extent.x() - at.x(), extent.y() - at.y(), at.x()};
   const auto side = static_cast<int>(std::min_element(distances, distances + 4) - distances);
-  for (const auto& opening : seen) {
-    if (opening.side != side) continue;
-    const double length = side % 2 == 0 ? extent.x() : extent.y();
-    double along = length * opening.at;
-    if (side >= 2) along = length - along;
-    const double own = side % 2 == 0 ? at.x() : at.y();
-    if (std::abs(own - along) >= half + 0.5 * opening.width) continue;
-    if (!opening.is_window)
-      fault += of_door;
-    else if (height > opening.sill + window_overlap)
-      fault += of_window;
-  }
+  const auto axis = static_cast<Eigen::Index>(side % 2);
+  for (const auto& opening : seen)
+    if (opening.side == side) fault += of_opening(opening, at_wall(one), at[axis], extent[axis]);
   return fault;
 }
 

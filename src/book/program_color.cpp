@@ -1,4 +1,4 @@
-#include "palette.h"
+#include "program_color.h"
 
 #include <map>
 #include <nlohmann/json.hpp>
