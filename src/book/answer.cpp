@@ -140,8 +140,7 @@ Result<Json> answer_of(const Design& design, const Setting& setting) {
   if (setting.openings.is_array()) body["openings"] = setting.openings;
   Json answer = filling.filled(setting.openings.is_array() ? body : design.body, "", false);
   if (const auto error = filling.first_error()) return *error;
-  if (auto status = lay(design.source, setting, size, answer); !status)
-    return status.error();
+  if (auto status = lay(design.source, setting, size, answer); !status) return status.error();
   Json& room = answer["room"];
   if (room.is_null()) room = Json::object();
   room["size_m"] = {setting.size.x(), setting.size.y()};

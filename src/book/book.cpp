@@ -27,7 +27,7 @@ bool is_for(std::string_view path, const std::string& room_type) {
 }  // namespace
 
 std::string meant_room(const std::string& name) {
-  static const brief::RoomNames names = brief::room_names(*brief::built_in_room_kinds());
+  static const brief::RoomNames names = brief::all_room_names(*brief::built_in_room_kinds());
   const std::string plain = brief::room_name(name);
   const auto known = names.find(plain);
   return known == names.end() ? plain : known->second;

@@ -204,7 +204,8 @@ class Laying {
   // Which of the doors or windows; in a room that lacks it, it likes any place.
   Spot at_opening(const Json& stands, const Json& openings, const Vec2& half) const {
     const bool is_window = stands.contains("window");
-    const Json* opening = opening_of(openings, is_window, number_in(stands, is_window ? "window" : "door", 0.0));
+    const Json* opening =
+        opening_of(openings, is_window, number_in(stands, is_window ? "window" : "door", 0.0));
     const auto wall = opening ? wall_named(text_in(*opening, "wall")) : std::nullopt;
     if (!wall) return {std::nullopt, facing_in(stands), false};
     const double length = length_of(*wall, size_);
@@ -213,7 +214,8 @@ class Laying {
     double along = length * (*wall == north || *wall == west ? 1.0 - part : part);
     if (const std::string beside = text_in(stands, "beside"); !beside.empty()) {
       const double off = 0.5 * number_in(*opening, "width", 1.0) + half.x() + 0.12;
-      // Who looks at the south wall from inside has the east at the left, at the east wall the north.
+      // Who looks at the south wall from inside has the east at the left, at the east wall the
+      // north.
       along += (*wall == south || *wall == east) == (beside == "left") ? off : -off;
     }
     const double margin = std::min(half.x(), 0.5 * length);

@@ -7,6 +7,7 @@
 #include "base/resource.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
+#include "roomgen/kinds/kind_table.h"
 
 namespace roomgen::brief {
 
@@ -185,6 +186,13 @@ Result<RoomKinds> parse_room_kinds(std::string_view text, const std::string& sou
   return kinds;
 }
 
+RoomNames all_room_names(const RoomKinds& kinds) {
+  RoomNames names = room_names(kinds);
+  for (const auto& [type, kind] : kinds.types)
+    for (const auto& name : kind.leading) names.try_emplace(join(words(name), " "), type);
+  return names;
+}
+
 std::string room_name(std::string_view said) {
   std::vector<std::string> pieces;
   for (auto piece : words(said)) {
@@ -196,7 +204,8 @@ std::string room_name(std::string_view said) {
 }
 
 std::vector<std::string> rooms_of_design(std::string_view text) {
-  const std::size_t key = text.find("\"for\""), open = text.find('[', key), close = text.find(']', open);
+  const std::size_t key = text.find("\"for\""), open = text.find('[', key),
+                    close = text.find(']', open);
   if (key == std::string_view::npos || close == std::string_view::npos) return {};
   const auto list = parse_json(text.substr(open, close - open + 1), "for");
   std::vector<std::string> rooms;
@@ -207,23 +216,43 @@ std::vector<std::string> rooms_of_design(std::string_view text) {
 
 namespace {
 
+constexpr std::size_t most_words_of_name = 3;  // as many as are read
+
+// "kids room with bunk bed" and "room" name no kind of their own.
+bool is_name_of_room(const std::string& name) {
+  const auto pieces = words(name);
+  const auto is_joint = [](const std::string& word) {
+    return word == "with" || word == "for" || word == "and" || word == "of" || word == "in";
+  };
+  return name != "room" && pieces.size() <= most_words_of_name &&
+         std::none_of(pieces.begin(), pieces.end(), is_joint);
+}
+
+// A bar, a toilet or a reading corner may be a thing or a part of a room.
+bool is_also_no_room(const std::string& name) {
+  return KindTable::built_in().by_name(name) || name.ends_with(" corner") ||
+         name.ends_with(" area") || name.ends_with(" bar");
+}
+
 // A kind that only the book knows is like the one that it is a sort of: a sushi bar is a bar.
 RoomKind kind_of_book(const std::string& name, const RoomNames& names, const RoomKinds& kinds) {
   RoomKind kind = kinds.any;
-  for (std::size_t space = name.find(' '); space != std::string::npos; space = name.find(' ', space + 1))
+  for (std::size_t space = name.find(' '); space != std::string::npos;
+       space = name.find(' ', space + 1))
     if (const auto known = names.find(name.substr(space + 1)); known != names.end()) {
       kind = kinds.get(known->second);
       break;
     }
-  for (auto* list : {&kind.names, &kind.leading, &kind.alone, &kind.purposes, &kind.instead_of}) list->clear();
+  for (auto* list : {&kind.names, &kind.leading, &kind.alone, &kind.purposes, &kind.instead_of})
+    list->clear();
   kind.known_by.emplace();
   kind.type = name;
   return kind;
 }
 
-}  // namespace
-
-void add_rooms_of_design(const std::vector<std::string>& rooms, RoomNames& names, RoomKinds& kinds) {
+// `names`: of all kinds, as they are known so far.
+void add_rooms_of_design(std::vector<std::string> rooms, RoomNames& names, RoomKinds& kinds) {
+  std::erase_if(rooms, [](const std::string& name) { return !is_name_of_room(name); });
   if (rooms.empty()) return;
   const auto first = names.find(rooms.front());
   const std::string type = first == names.end() ? rooms.front() : first->second;
@@ -231,17 +260,20 @@ void add_rooms_of_design(const std::vector<std::string>& rooms, RoomNames& names
   RoomKind& kind = kinds.types[type];
   for (const auto& name : rooms) {
     if (!names.try_emplace(name, type).second) continue;
-    if (name != type) kind.names.push_back(name);
+    if (is_also_no_room(name)) kind.leading.push_back(name);
+    else if (name != type) kind.names.push_back(name);
     // A crypt is one wherever it is named, a piano bank is none.
     if (name.find(' ') == std::string::npos) kind.alone.push_back(name);
   }
 }
 
+}  // namespace
+
 const Result<RoomKinds>& built_in_room_kinds() {
   static const auto kinds = []() -> Result<RoomKinds> {
     auto all = parse_room_kinds(resource("data/rooms.json").value_or("{}"), "data/rooms.json");
     if (!all) return all;
-    RoomNames names = room_names(*all);
+    RoomNames names = all_room_names(*all);
     for (const auto path : resources("data/designs/")) add_rooms_of_design(rooms_of_design(*resource(path)), names, *all);
     return all;
   }();

@@ -112,12 +112,12 @@ Result<RoomKinds> parse_room_kinds(std::string_view text, const std::string& sou
 /// Kinds of rooms by all their names, in words parted by single spaces.
 using RoomNames = std::map<std::string, std::string, std::less<>>;
 RoomNames room_names(const RoomKinds& kinds);
+/// The same with those that mean a room only at the beginning of a prompt.
+RoomNames all_room_names(const RoomKinds& kinds);
 /// A name as it stands there: "Doctor's office" is "doctor office".
 std::string room_name(std::string_view said);
 /// The names of the rooms that a design is for: the first list of its file that is called "for".
 std::vector<std::string> rooms_of_design(std::string_view text);
-/// Makes the rooms that a design is for known by name: as what the first of them is, or a kind of its own.
-void add_rooms_of_design(const std::vector<std::string>& rooms, RoomNames& names, RoomKinds& kinds);
 /// The knowledge compiled into the library, with the rooms of data/designs.
 const Result<RoomKinds>& built_in_room_kinds();
 

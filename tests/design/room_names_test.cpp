@@ -37,7 +37,7 @@ TEST_CASE("Another noun before it makes a hall or an office another kind of room
 TEST_CASE("The room is what it is said to be, though nobody knows such a room") {
   for (const auto& [prompt, type] : {std::pair{"The room is a planetarium. A desk stands in the middle.", "planetarium"},
                                      {"This is a courthouse with two benches and a desk.", "courthouse"},
-                                     {"The space is a courtroom with a bench and a desk.", "courtroom"}}) {
+                                     {"The space is an aviary with a bench and a desk.", "aviary"}}) {
     INFO(prompt);
     const auto brief = read_brief(prompt);
     CHECK(brief.type == type);
