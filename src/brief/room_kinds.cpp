@@ -260,8 +260,10 @@ void add_rooms_of_design(std::vector<std::string> rooms, RoomNames& names, RoomK
   RoomKind& kind = kinds.types[type];
   for (const auto& name : rooms) {
     if (!names.try_emplace(name, type).second) continue;
-    if (is_also_no_room(name)) kind.leading.push_back(name);
-    else if (name != type) kind.names.push_back(name);
+    if (is_also_no_room(name))
+      kind.leading.push_back(name);
+    else if (name != type)
+      kind.names.push_back(name);
     // A crypt is one wherever it is named, a piano bank is none.
     if (name.find(' ') == std::string::npos) kind.alone.push_back(name);
   }
@@ -274,7 +276,8 @@ const Result<RoomKinds>& built_in_room_kinds() {
     auto all = parse_room_kinds(resource("data/rooms.json").value_or("{}"), "data/rooms.json");
     if (!all) return all;
     RoomNames names = all_room_names(*all);
-    for (const auto path : resources("data/designs/")) add_rooms_of_design(rooms_of_design(*resource(path)), names, *all);
+    for (const auto path : resources("data/designs/"))
+      add_rooms_of_design(rooms_of_design(*resource(path)), names, *all);
     return all;
   }();
   return kinds;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "book/book.h"
 #include "base/resource.h"
+#include "book/book.h"
 #include "book/planner.h"
 #include "brief/prompt.h"
 #include "catch.h"
@@ -14,7 +14,9 @@ using namespace roomgen;
 
 namespace {
 
-const KindTable& kinds() { return KindTable::built_in(); }
+const KindTable& kinds() {
+  return KindTable::built_in();
+}
 
 brief::Brief brief_of(const std::string& wish) {
   return brief::read_prompt(wish, *brief::built_in_room_kinds(), kinds());
@@ -22,7 +24,8 @@ brief::Brief brief_of(const std::string& wish) {
 
 // A dining table with four chairs around it, a sofa with a lamp, two bookshelves, a picture.
 book::Design dining_room() {
-  const auto json = parse_json(R"({"name": "dining", "for": ["dining room"], "size_m": {"usual": [5.5, 4.5]},
+  const auto json =
+      parse_json(R"({"name": "dining", "for": ["dining room"], "size_m": {"usual": [5.5, 4.5]},
     "openings": [{"kind": "door", "wall": "south", "at": 0.1, "width": 0.9}],
     "groups": [
       {"id": "dining", "stands": {"at": ["0.6*W", "D/2"], "facing": "south"}, "things": [
@@ -35,7 +38,7 @@ book::Design dining_room() {
     "objects": [
       {"name": "bookshelf", "description": "oak bookshelf", "quantity": 2, "place": "floor"},
       {"name": "picture", "description": "print", "place": "wall", "stands": {"wall": "north", "along": 2}, "bottom_m": 1.2}]})",
-                               "test");
+                 "test");
   return *book::read_design(*json, "test");
 }
 
@@ -102,12 +105,14 @@ TEST_CASE("A bare room holds nothing of the design but what is asked for") {
   CHECK(planned_objects(plan).size() == 3);
 }
 
-TEST_CASE("Every thing of a wish is in the plan, whatever the design has, and keeps its relations") {
+TEST_CASE(
+    "Every thing of a wish is in the plan, whatever the design has, and keeps its relations") {
   const auto design = dining_room();
-  const std::string wishes[] = {"a dining room with a piano next to the door and two plants",
-                                "a dining room with a desk facing the window, a globe on the desk and a green rug",
-                                "a dining room with ten chairs, two tables and a fridge",
-                                "a dining room with a sofa opposite the bookshelf, three pictures and no lamps"};
+  const std::string wishes[] = {
+      "a dining room with a piano next to the door and two plants",
+      "a dining room with a desk facing the window, a globe on the desk and a green rug",
+      "a dining room with ten chairs, two tables and a fridge",
+      "a dining room with a sofa opposite the bookshelf, three pictures and no lamps"};
   for (const auto& wish : wishes)
     for (const std::uint64_t seed : {1, 2, 3}) {
       INFO(wish << ", seed " << seed);
@@ -118,10 +123,13 @@ TEST_CASE("Every thing of a wish is in the plan, whatever the design has, and ke
         CHECK(count(plan, mention.category) >= (mention.counted ? mention.quantity : 1));
         // Of a relation to another thing some object has it.
         for (const auto& demand : mention.demands) {
-          const bool is_there = std::any_of(plan.items.begin(), plan.items.end(), [&](const PlanItem& item) {
-            return kinds().is_a(item.category, mention.category) &&
-                   std::any_of(item.relations.begin(), item.relations.end(), [&](const Relation& relation) { return relation.kind == demand.kind; });
-          });
+          const bool is_there =
+              std::any_of(plan.items.begin(), plan.items.end(), [&](const PlanItem& item) {
+                return kinds().is_a(item.category, mention.category) &&
+                       std::any_of(
+                           item.relations.begin(), item.relations.end(),
+                           [&](const Relation& relation) { return relation.kind == demand.kind; });
+              });
           CHECK(is_there);
         }
       }
@@ -129,7 +137,9 @@ TEST_CASE("Every thing of a wish is in the plan, whatever the design has, and ke
     }
 }
 
-TEST_CASE("The designs of the book are sound, and become plans in which what makes the room has its place") {
+TEST_CASE(
+    "The designs of the book are sound, and become plans in which what makes the room has its "
+    "place") {
   int looked_at = 0;
   for (const auto& path : book::built_in_names()) {
     INFO(path);
