@@ -5,6 +5,7 @@
 
 #include "base/json_reader.h"
 #include "base/resource.h"
+#include "dwelling_kinds.h"
 #include "roomgen/base/json.h"
 #include "roomgen/base/text.h"
 #include "roomgen/kinds/kind_table.h"
@@ -218,9 +219,13 @@ namespace {
 
 constexpr std::size_t most_words_of_name = 3;  // as many as are read
 
-// "kids room with bunk bed" and "room" name no kind of their own.
+// "kids room with bunk bed" and "room" name no kind of their own, a kitchen island is a thing, an
+// apartment has several rooms.
 bool is_name_of_room(const std::string& name) {
   const auto pieces = words(name);
+  if (pieces.empty() || (pieces.size() > 1 && KindTable::built_in().by_name(name))) return false;
+  const auto& dwellings = built_in_dwelling_kinds();
+  if (dwellings && dwellings->dwellings.count(pieces.back())) return false;
   const auto is_joint = [](const std::string& word) {
     return word == "with" || word == "for" || word == "and" || word == "of" || word == "in";
   };
