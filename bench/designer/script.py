@@ -6,13 +6,12 @@ Speaks the OpenAI protocol on a free port of 127.0.0.1. Whatever it is asked aga
 import json
 import re
 import sys
-import threading
-from contextlib import contextmanager
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "designer"))
 
-from chat_server import chat_server, first_choices, text_of  # noqa: E402
+from chat_server import first_choices, text_of  # noqa: E402
+from chat_server import serving as serving_model  # noqa: E402
 
 ASKED = re.compile(r"^Now place ([^:\n]+):", re.M)
 
@@ -58,7 +57,6 @@ class Script:
         })  # fmt: skip
 
 
-@contextmanager
 def serving_answers(text):
     """The base URL of a server that answers questions for places as a function of their text says."""
 
@@ -68,13 +66,7 @@ def serving_answers(text):
             return text(question)
         return json.dumps(first_choices(question) or {})
 
-    server, url = chat_server(answer, "script")
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    try:
-        yield url
-    finally:
-        server.shutdown()
-        server.server_close()
+    return serving_model(answer, "script")
 
 
 def serving(room):

@@ -6,20 +6,14 @@
 #include <optional>
 
 #include "roomgen/base/text.h"
+#include "scene/wall_sides.h"
+#include "seen_opening.h"
 
 namespace roomgen::book {
 
 namespace {
 
 enum Wall { south, east, north, west };
-constexpr const char* wall_names[] = {"south", "east", "north", "west"};
-
-std::optional<int> wall_named(std::string_view name) {
-  for (int wall = south; wall <= west; ++wall)
-    if (name == wall_names[wall]) return wall;
-  return std::nullopt;
-}
-
 template <typename Call>
 void for_each_in(Json& object, const char* list, Call call) {
   if (!object.is_object() || !object.contains(list) || !object[list].is_array()) return;
@@ -54,8 +48,8 @@ class Laying {
   }
 
   Json laid_wall(const Json& name) const {
-    const auto wall = name.is_string() ? wall_named(name.get<std::string>()) : std::nullopt;
-    return wall ? Json(wall_names[laid(*wall)]) : name;
+    const auto wall = name.is_string() ? compass_side(name.get<std::string>()) : std::nullopt;
+    return wall ? Json(compass_name(laid(*wall))) : name;
   }
   int laid(int wall) const {
     if (setting_.is_mirrored && (wall == east || wall == west)) wall = east + west - wall;
@@ -113,7 +107,7 @@ class Laying {
   static std::optional<double> facing_in(const Json& stands) {
     const Json facing = stands.value("facing", Json());
     if (facing.is_number()) return facing.get<double>();
-    const auto side = facing.is_string() ? wall_named(facing.get<std::string>()) : std::nullopt;
+    const auto side = facing.is_string() ? compass_side(facing.get<std::string>()) : std::nullopt;
     return side ? std::optional(90.0 * *side) : std::nullopt;
   }
 
@@ -165,7 +159,7 @@ class Laying {
   }
 
   Result<Spot> at_wall(const Json& stands, const Vec2& half, const std::string& where) const {
-    const auto wall = wall_named(text_in(stands, "wall"));
+    const auto wall = compass_side(text_in(stands, "wall"));
     if (!wall) return wrong(where + "/wall: north, east, south or west is expected");
     const double along = number_in(stands, "along", 0.5 * length_of(*wall, size_));
     return Spot{point_at(*wall, along, half.y()), yaw_at(*wall), true};
@@ -190,8 +184,8 @@ class Laying {
 
   Result<Spot> in_corner(const Json& stands, const Vec2& half, const std::string& where) const {
     const auto names = split(text_in(stands, "corner"), '-');
-    const auto first = names.size() == 2 ? wall_named(names[0]) : std::nullopt;
-    const auto second = names.size() == 2 ? wall_named(names[1]) : std::nullopt;
+    const auto first = names.size() == 2 ? compass_side(names[0]) : std::nullopt;
+    const auto second = names.size() == 2 ? compass_side(names[1]) : std::nullopt;
     if (!first || !second || *first % 2 != 0 || *second % 2 == 0)
       return wrong(where + "/corner: north-east or the like is expected");
     const double yaw = facing_in(stands).value_or(yaw_at(*first));
@@ -203,10 +197,10 @@ class Laying {
 
   // Which of the doors or windows; in a room that lacks it, it likes any place.
   Spot at_opening(const Json& stands, const Json& openings, const Vec2& half) const {
-    const bool is_window = stands.contains("window");
+    const bool at_window = stands.contains("window");
     const Json* opening =
-        opening_of(openings, is_window, number_in(stands, is_window ? "window" : "door", 0.0));
-    const auto wall = opening ? wall_named(text_in(*opening, "wall")) : std::nullopt;
+        opening_of(openings, at_window, number_in(stands, at_window ? "window" : "door", 0.0));
+    const auto wall = opening ? compass_side(text_in(*opening, "wall")) : std::nullopt;
     if (!wall) return {std::nullopt, facing_in(stands), false};
     const double length = length_of(*wall, size_);
     // Openings are told along the walls counter-clockwise, things from the west and south.
@@ -224,10 +218,9 @@ class Laying {
             facing.value_or(yaw_at(*wall)), !facing};
   }
 
-  static const Json* opening_of(const Json& openings, bool is_window, double number) {
+  static const Json* opening_of(const Json& openings, bool is_wanted, double number) {
     for (const auto& opening : openings) {
-      const bool is_it = text_in(opening, "kind").find("window") != std::string::npos;
-      if (is_it == is_window && number-- < 0.5) return &opening;
+      if (is_window(opening) == is_wanted && number-- < 0.5) return &opening;
     }
     return nullptr;
   }

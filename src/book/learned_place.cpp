@@ -65,9 +65,9 @@ class StandTeller {
     if (!wall_) return at({});
     if (const auto opening = at_an_opening(); !opening.is_null()) return opening;
     if (const auto corner = corner_of(); !corner.empty())
-      return {{"corner", corner}, {"facing", compass_sides[(*wall_ + 2) % 4]}};
+      return {{"corner", corner}, {"facing", compass_name((*wall_ + 2) % 4)}};
     const std::size_t axis = *wall_ % 2 == 0 ? 0 : 1;
-    return {{"wall", compass_sides[*wall_]}, {"along", told(place_[axis], axis == 0 ? "W" : "D")}};
+    return {{"wall", compass_name(*wall_)}, {"along", told(place_[axis], axis == 0 ? "W" : "D")}};
   }
 
  private:
@@ -76,7 +76,7 @@ class StandTeller {
     stands["at"] = {told(place_[0], "W", more[0]), told(place_[1], "D", more[1])};
     const auto side = side_faced(thing_.yaw);
     if (side)
-      stands["facing"] = compass_sides[*side];
+      stands["facing"] = compass_name(*side);
     else
       stands["facing"] = rounded(degrees(thing_.yaw), 1);
     return stands;
@@ -104,7 +104,7 @@ class StandTeller {
     if (is_low == is_high || thing_.mount != Mount::floor) return "";
     const bool is_across = *wall_ % 2 == 0;
     const std::string other = is_across ? (is_low ? "west" : "east") : (is_low ? "south" : "north");
-    const std::string own = compass_sides[*wall_];
+    const std::string own(compass_name(*wall_));
     return is_across ? own + "-" + other : other + "-" + own;
   }
 
@@ -195,23 +195,6 @@ std::vector<Place2> places_of(const std::vector<Unit>& units, const Vec2& size) 
     }
   }
   return places;
-}
-
-std::vector<SeenOpening> openings_seen(const Room& room) {
-  const Bounds2 box = bounds(room.polygon);
-  std::vector<SeenOpening> seen;
-  for (const auto& opening : room.openings) {
-    const Vec2 out = -inward(room, opening), middle = segment(room, opening).middle() - box.low;
-    SeenOpening one;
-    if (std::abs(out.x()) > std::abs(out.y()))
-      one.side = out.x() > 0.0 ? 1 : 3;
-    else
-      one.side = out.y() > 0.0 ? 2 : 0;
-    one.middle = one.side % 2 == 0 ? middle.x() : middle.y();
-    one.width = opening.width(), one.sill = opening.sill, one.is_window = !opening.is_entrance();
-    seen.push_back(one);
-  }
-  return seen;
 }
 
 Json told_stands(const Unit& unit, const Place2& place, const Surroundings& around,

@@ -4,6 +4,8 @@
 
 #include "learned_unit.h"
 #include "roomgen/base/json.h"
+#include "scene/wall_sides.h"
+#include "seen_opening.h"
 
 namespace roomgen::book {
 
@@ -25,17 +27,6 @@ using Place2 = std::array<Along, 2>;
 /// Where the units are, so that those that stand near each other stay so.
 std::vector<Place2> places_of(const std::vector<Unit>& units, const Vec2& size);
 
-/// A door or window as designs have it.
-struct SeenOpening {
-  int side = 0;         ///< south, east, north, west
-  double middle = 0.0;  ///< metres from the west or south end of that side
-  double width = 1.0;
-  double sill = 0.0;
-  bool is_window = false;
-};
-std::vector<SeenOpening> openings_seen(const Room& room);
-
-inline constexpr const char* compass_sides[] = {"south", "east", "north", "west"};
 /// The side of the compass to which a front looks; nothing: between two.
 std::optional<int> side_faced(double yaw);
 

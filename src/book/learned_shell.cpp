@@ -38,7 +38,7 @@ void name_walls(Json& covers, const Room& room) {
     const std::size_t number = std::strtoul(name.c_str() + 5, nullptr, 10);
     if (number >= room.polygon.size()) continue;
     if (const auto side = side_faced(yaw_facing(-room.polygon.inward(number))))
-      cover["wall"] = compass_sides[*side];
+      cover["wall"] = compass_name(*side);
   }
 }
 
@@ -114,7 +114,7 @@ Json told_openings(const Room& room) {
     const double length = seen[i].side % 2 == 0 ? size.x() : size.y(), half = 0.5 * opening.width();
     const double middle = seen[i].middle;
     Json one = {{"kind", opening.kind.empty() ? std::string(name(opening.type)) : opening.kind},
-                {"wall", compass_sides[seen[i].side]},
+                {"wall", compass_name(seen[i].side)},
                 {"at", told_at(along_of(middle - half, middle + half, middle, length), seen[i].side,
                                length)},
                 {"width", rounded(opening.width(), 3)}};

@@ -31,6 +31,7 @@ class Merging {
         kinds_(kinds),
         drafts_(std::move(parts.drafts)),
         groups_(std::move(parts.groups)),
+        asked_(plan::asked_items(brief, kinds)),
         taken_(brief.mentions.size(), false) {
     complete();
     renumber(drafts_, brief.mentions.size());
@@ -44,14 +45,13 @@ class Merging {
       for (std::size_t m = 0; m < brief_.mentions.size(); ++m)
         if (!brief_.mentions[m].contradicts && !taken_[m]) match(m, exactly);
     drop([&](const Draft& draft) { return is_beyond(draft); });
-    for (auto& draft : plan::asked_items(brief_, kinds_)) {
+    for (auto& draft : asked_) {
       const int missing = lacking(draft);
       if (missing <= 0) continue;
       draft.item.quantity = missing;
-      if (draft.item.mount == Mount::floor) added_.push_back(draft.item.category);
       drafts_.push_back(std::move(draft));
     }
-    return {std::move(drafts_), std::move(groups_), std::move(added_)};
+    return {std::move(drafts_), std::move(groups_)};
   }
 
  private:
@@ -231,17 +231,15 @@ class Merging {
             draft.item.group == group.id && count != counts.end())
           draft.item.quantity = count->second;
     }
-    std::erase_if(groups_, [](const PlanGroup& group) { return group.id.empty(); });
   }
 
   void become(Draft& draft, std::size_t m, const brief::Mention& mention) {
     for (auto& other : drafts_)
       for (auto& demand : other.demands)
         if (demand.mention == draft.mention) demand.mention = m;
-    auto asked = plan::asked_items(brief_, kinds_);
-    const auto own = std::find_if(asked.begin(), asked.end(),
+    const auto own = std::find_if(asked_.begin(), asked_.end(),
                                   [&](const Draft& one) { return one.mention == m; });
-    if (own == asked.end()) return;
+    if (own == asked_.end()) return;
     PlanItem& item = draft.item;
     draft.mention = m;
     draft.part_of = own->part_of;
@@ -251,18 +249,11 @@ class Merging {
     item.spare = 0;
     if (likeness(draft, mention) == 1)
       item.category = own->item.category, item.size = own->item.size;
-    if (!mention.looks.empty() || item.category == own->item.category)
-      item.description = described(item, mention, own->item);
+    if (!mention.looks.empty()) item.description = own->item.description;
     if (own->sized) item.size = own->item.size;
     if (own->item.height) item.height = own->item.height;
     item.varied = item.varied || own->item.varied;
     for (const auto& demand : own->demands) add_demand(draft, demand);
-  }
-
-  // The wish's words; of the design's what they leave open.
-  static std::string described(const PlanItem& item, const brief::Mention& mention,
-                               const PlanItem& own) {
-    return mention.looks.empty() ? item.description : own.description;
   }
 
   // A relation to something outside takes the thing out of its group, but moves a whole group with
@@ -295,8 +286,8 @@ class Merging {
   const KindTable& kinds_;
   std::vector<Draft> drafts_;
   std::vector<PlanGroup> groups_;
+  std::vector<Draft> asked_;  ///< what the wish asks for, as if there were no design
   std::vector<bool> taken_, matched_;
-  std::vector<std::string> added_;
 };
 
 }  // namespace

@@ -14,7 +14,6 @@ namespace roomgen::book {
 struct Merged {
   std::vector<plan::Draft> drafts;
   std::vector<PlanGroup> groups;
-  std::vector<std::string> added;  ///< kinds of things that the design has no place for, for people
 };
 
 /// Makes the design's own things what the wish asks for: as many, that look so, of that size, with

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "base/random.h"
 #include "brief/room_kinds.h"
@@ -46,7 +45,6 @@ constexpr double enough_things = 3.0;  ///< asked for that a design of another k
 struct Attempt {
   Plan plan;
   std::vector<Draft> drafts;  ///< of plan.items
-  std::vector<PlannedObject> missed;
   double fault = 0.0;
   bool is_of_its_kind = true;
   double added_floor = 0.0;  ///< square metres that the wish adds to the design
@@ -138,7 +136,8 @@ class Planner {
     Random random = random_.fork("windows");
     const int windows = brief_.windows ? std::min(3, *brief_.windows)
                                        : random.integer(kind_.windows.low, kind_.windows.high);
-    const Vec2 size = said_size().value_or(size_by_designs());
+    const auto said = said_size();
+    const Vec2 size = said ? *said : size_by_designs();
     const auto outline = plan::choose_outline(brief_, size, request_.size || brief_.size, notes,
                                               random_.fork("outline"));
     return plan::make_room(kind_, outline,
@@ -153,14 +152,9 @@ class Planner {
     return scaled(usual_size(*all.front().design, all.front().values));
   }
 
-  double size_factor() const {
-    double factor = 1.0;
-    for (const auto& word : brief_.styles)
-      if (const brief::Style* style = rooms_.style(word)) factor *= style->size;
-    return std::clamp(factor, 0.6, 1.6);
-  }
+  // A small room, a grand one.
   Vec2 scaled(Vec2 size) const {
-    size *= size_factor();
+    size *= plan::size_factor(rooms_, brief_.styles);
     return {std::round(size.x() * 20.0) / 20.0, std::round(size.y() * 20.0) / 20.0};
   }
 
@@ -234,9 +228,9 @@ class Planner {
       setting.turns = 2 * (setting.turns / 2) + (is_across ? 1 : 0);
       return setting;
     }
-    double scale = size_factor() * std::sqrt(1.0 + extra / usual.prod());
+    double scale = std::sqrt(1.0 + extra / usual.prod());
     for (int i = extra > 0.0 ? 1 : 0; i < n; ++i) scale *= growth;
-    setting.size = scaled(usual * scale / size_factor());
+    setting.size = scaled(usual * scale);
     if (setting.turns % 2 != 0) std::swap(setting.size.x(), setting.size.y());
     return setting;
   }
@@ -306,12 +300,12 @@ class Planner {
   }
 
   plan::Looks looks_for() const {
-    std::vector<std::string> unwanted;
-    for (const auto& [category, look] : brief_.excluded_looks)
-      if (category.empty()) unwanted.push_back(look);
-    return {rooms_,        kinds_,
-            brief_.styles, plan::style_of_palette(brief_.palette),
-            unwanted,      random_.fork("looks")};
+    return {rooms_,
+            kinds_,
+            brief_.styles,
+            plan::style_of_palette(brief_.palette),
+            plan::unwanted_looks(brief_),
+            random_.fork("looks")};
   }
 
   void dress_shell(Room& room) const {
@@ -331,31 +325,24 @@ class Planner {
     plan.items.clear();
     attempt.drafts = plan::order_items(std::move(drafts), kinds_, arrangements_, plan);
     composition::complete_groups(plan, kinds_);
-    for (std::size_t i = attempt.drafts.size(); i < plan.items.size(); ++i) {
-      attempt.drafts.emplace_back();
-      attempt.drafts.back().item = plan.items[i];
-    }
-    for (std::size_t i = 0; i < plan.items.size(); ++i)
-      attempt.drafts[i].item.quantity = plan.items[i].quantity;
+    attempt.drafts.resize(plan.items.size());  // what groups bring along no mention asks for
   }
 
   void judge(Attempt& attempt, double bar) const {
     if (planned_objects(attempt.plan).size() > most_dry_run) return;
     const auto fault = [&](const DryRun& run) { return fault_of(attempt.plan, run); };
-    DryRun run = dry_run(attempt.plan, kinds_, arrangements_,
-                         [&](const DryRun& so_far) { return fault(so_far) >= bar; });
+    const DryRun run = dry_run(attempt.plan, kinds_, arrangements_,
+                               [&](const DryRun& so_far) { return fault(so_far) >= bar; });
     attempt.fault = fault(run);
     attempt.is_of_its_kind = holds_maker(attempt.plan, run);
-    attempt.missed = std::move(run.missed);
   }
 
   double fault_of(const Plan& plan, const DryRun& run) const {
     double fault = of_broken * run.broken + (holds_maker(plan, run) ? 0.0 : none_of_its_kind);
     for (const auto& object : run.missed) {
       const PlanItem& item = plan.items[object.item];
-      fault += item.asked && item.spare == 0 ? (is_said(plan, object) ? of_asked : of_design)
-               : item.spare > 0              ? of_spare
-                                             : of_design;
+      const bool is_of_wish = item.asked && is_said(plan, object);
+      fault += item.spare > 0 ? of_spare : is_of_wish ? of_asked : of_design;
     }
     return fault;
   }

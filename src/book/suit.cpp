@@ -6,53 +6,29 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/wall_sides.h"
+#include "seen_opening.h"
 
 namespace roomgen::book {
 
 namespace {
 
 constexpr double of_door = 4.0, of_window = 1.5, of_outside = 3.0, of_narrow = 2.0, of_unlike = 0.5;
-constexpr const char* sides[] = {"south", "east", "north", "west"};
 
-/// An opening as seen from the box of its room.
-struct Seen {
-  int side = 0;     ///< south, east, north, west
-  double at = 0.5;  ///< part of the way along the box, counter-clockwise
-  double width = 1.0;
-  double sill = 0.0;
-  bool is_window = false;
-};
-
-std::vector<Seen> seen_in(const Room& room) {
-  const Bounds2 box = bounds(room.polygon);
-  std::vector<Seen> all;
-  for (const auto& opening : room.openings) {
-    const Vec2 out = -inward(room, opening);
-    const Segment hole = segment(room, opening);
-    const Vec2 middle = 0.5 * (hole.a + hole.b) - box.low, size = box.size();
-    Seen seen{0, 0.5, opening.width(), opening.sill, !opening.is_entrance()};
-    if (std::abs(out.x()) > std::abs(out.y()))
-      seen.side = out.x() > 0.0 ? 1 : 3, seen.at = middle.y() / size.y();
-    else
-      seen.side = out.y() > 0.0 ? 2 : 0, seen.at = middle.x() / size.x();
-    if (seen.side >= 2) seen.at = 1.0 - seen.at;
-    all.push_back(seen);
-  }
-  return all;
-}
-
-// In the frame of a design that is mirrored and turned.
-Json told_back(std::vector<Seen> seen, const Setting& setting) {
+// In the frame of a design that is mirrored and turned, in a room whose box has that size.
+Json told_back(const std::vector<SeenOpening>& seen, const Vec2& size, const Setting& setting) {
   Json openings = Json::array();
-  for (auto& one : seen) {
-    one.side = (one.side - setting.turns + 4) % 4;
+  for (const auto& one : seen) {
+    // Designs tell openings along the walls counter-clockwise.
+    double at = one.middle / size[one.side % 2];
+    if (one.side >= 2) at = 1.0 - at;
+    int side = (one.side - setting.turns + 4) % 4;
     if (setting.is_mirrored) {
-      if (one.side % 2 == 1) one.side = 4 - one.side;
-      one.at = 1.0 - one.at;
+      if (side % 2 == 1) side = 4 - side;
+      at = 1.0 - at;
     }
     openings.push_back({{"kind", one.is_window ? "window" : "door"},
-                        {"wall", sides[one.side]},
-                        {"at", one.at},
+                        {"wall", compass_name(side)},
+                        {"at", at},
                         {"width", one.width}});
   }
   return openings;
@@ -73,15 +49,13 @@ AtWall at_wall(const Json& one) {
 }
 
 // What is before an opening of its wall.
-double of_opening(const Seen& opening, const AtWall& thing, double along, double length) {
-  double middle = length * opening.at;
-  if (opening.side >= 2) middle = length - middle;
-  if (std::abs(along - middle) >= thing.half + 0.5 * opening.width) return 0.0;
+double of_opening(const SeenOpening& opening, const AtWall& thing, double along) {
+  if (std::abs(along - opening.middle) >= thing.half + 0.5 * opening.width) return 0.0;
   if (!opening.is_window) return of_door;
   return thing.height > opening.sill + window_overlap ? of_window : 0.0;
 }
 
-double conflicts(const Json& one, const std::vector<Seen>& seen, const Room& room) {
+double conflicts(const Json& one, const std::vector<SeenOpening>& seen, const Room& room) {
   if (!one.contains("stands") || !one["stands"].contains("location")) return 0.0;
   const Bounds2 box = bounds(room.polygon);
   const Vec2 extent = box.size();
@@ -93,18 +67,18 @@ double conflicts(const Json& one, const std::vector<Seen>& seen, const Room& roo
   const auto side = static_cast<int>(std::min_element(distances, distances + 4) - distances);
   const auto axis = static_cast<Eigen::Index>(side % 2);
   for (const auto& opening : seen)
-    if (opening.side == side) fault += of_opening(opening, at_wall(one), at[axis], extent[axis]);
+    if (opening.side == side) fault += of_opening(opening, at_wall(one), at[axis]);
   return fault;
 }
 
 double unlike(const Design& design, const Json& openings) {
   double fault = 0.0;
   for (const auto& own : design.body.value("openings", Json::array())) {
-    const bool is_window = own.value("kind", std::string()).find("window") != std::string::npos;
+    const bool is_seen_through = is_window(own);
     const bool is_met = std::any_of(openings.begin(), openings.end(), [&](const Json& other) {
-      return (other["kind"] == "window") == is_window && other["wall"] == own.value("wall", Json());
+      return is_window(other) == is_seen_through && other["wall"] == own.value("wall", Json());
     });
-    if (!is_met) fault += of_unlike * (is_window ? 1.0 : 2.0);
+    if (!is_met) fault += of_unlike * (is_seen_through ? 1.0 : 2.0);
   }
   return fault;
 }
@@ -112,7 +86,8 @@ double unlike(const Design& design, const Json& openings) {
 }  // namespace
 
 void suit(const Design& design, const Room& room, Setting& setting) {
-  const auto seen = seen_in(room);
+  const auto seen = openings_seen(room);
+  const Vec2 box = bounds(room.polygon).size();
   const Vec2 usual = usual_size(design, setting.values);
   double least = std::numeric_limits<double>::infinity();
   Setting best = setting;
@@ -120,7 +95,7 @@ void suit(const Design& design, const Room& room, Setting& setting) {
     for (const bool is_mirrored : {false, true}) {
       Setting tried = setting;
       tried.turns = turns, tried.is_mirrored = is_mirrored;
-      tried.openings = told_back(seen, tried);
+      tried.openings = told_back(seen, box, tried);
       const auto answer = answer_of(design, tried);
       if (!answer) continue;
       double fault = unlike(design, tried.openings);

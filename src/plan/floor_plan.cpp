@@ -36,6 +36,13 @@ Vec2 around_block(const Vec2& size, const Vec2& block) {
 
 }  // namespace
 
+double size_factor(const brief::RoomKinds& kinds, const std::vector<std::string>& styles) {
+  double factor = 1.0;
+  for (const auto& word : styles)
+    if (const brief::Style* style = kinds.style(word)) factor *= style->size;
+  return std::clamp(factor, 0.6, 1.6);
+}
+
 Vec2 choose_size(const brief::RoomKind& kind, const brief::Brief& brief, double scale,
                  double furniture, const Vec2& block, Random random) {
   if (brief.size) return *brief.size;

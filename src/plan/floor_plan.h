@@ -13,6 +13,9 @@ namespace roomgen::plan {
 /// Largest floor that is chosen rather than asked for.
 inline constexpr double max_chosen_area = 100.0;
 
+/// By how much the words of style make both sides of a room longer ("grand") or shorter ("tiny").
+double size_factor(const brief::RoomKinds& kinds, const std::vector<std::string>& styles);
+
 /// Width and depth for a room: what is asked, else chosen by its kind and large enough for
 /// `furniture` square metres of things, and for a block of them with the ways around it, metres.
 Vec2 choose_size(const brief::RoomKind& kind, const brief::Brief& brief, double scale,

@@ -44,6 +44,13 @@ const StyleMeaning* style_named(const brief::RoomKinds& kinds,
   return nullptr;
 }
 
+std::vector<std::string> unwanted_looks(const brief::Brief& brief) {
+  std::vector<std::string> looks;
+  for (const auto& [category, look] : brief.excluded_looks)
+    if (category.empty()) looks.push_back(look);
+  return looks;
+}
+
 Looks::Looks(const brief::RoomKinds& kinds, const KindTable& table,
              const std::vector<std::string>& styles, const StyleMeaning& palette,
              const std::vector<std::string>& unwanted, Random random)

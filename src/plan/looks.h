@@ -15,6 +15,9 @@ namespace roomgen::plan {
 const StyleMeaning* style_named(const brief::RoomKinds& kinds,
                                 const std::vector<std::string>& styles);
 
+/// The looks that a prompt wants nothing to have, whatever it is.
+std::vector<std::string> unwanted_looks(const brief::Brief& brief);
+
 /// How the things of one room look: one adjective of style, one finish for each group of kinds, those of
 /// the palette before those of the style before those of everybody, so that what stands together goes together. None
 /// has an unwanted word.

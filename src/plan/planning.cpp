@@ -124,13 +124,6 @@ class Planner {
     return static_cast<double>(planned_objects(plan).size()) * area(plan.room.polygon);
   }
 
-  double size_factor() const {
-    double factor = 1.0;
-    for (const auto& word : brief_.styles)
-      if (const brief::Style* style = kinds_.style(word)) factor *= style->size;
-    return std::clamp(factor, 0.6, 1.6);
-  }
-
   RoomOpenings openings(Random random) const {
     return {window_count(random), brief_.windows.has_value(), brief_.wide_windows, brief_.openings, brief_.told_from_door};
   }
@@ -154,7 +147,7 @@ class Planner {
 
   Room make_the_room(const std::vector<Draft>& drafts, const Looks& looks, const Random& random, int n, Plan& plan) const {
     if (request_.room) return given_room(plan);
-    double scale = size_factor();
+    double scale = size_factor(kinds_, brief_.styles);
     for (int i = 0; i < n; ++i) scale *= growth;
     const Vec2 size = request_.size ? *request_.size : size_for(drafts, looks, scale, random);
     const brief::Outline outline =
@@ -172,13 +165,6 @@ class Planner {
     return choose_size(kind_, brief_, scale, furniture, floor.largest, random.fork("size"));
   }
 
-  std::vector<std::string> unwanted_looks() const {
-    std::vector<std::string> looks;
-    for (const auto& [category, look] : brief_.excluded_looks)
-      if (category.empty()) looks.push_back(look);
-    return looks;
-  }
-
   // Tried no further than it takes to see that its fault is not below `bar`.
   Attempt attempt(int n, double bar) const {
     const Random random = n == 0 ? random_ : random_.fork("attempt " + std::to_string(n));
@@ -189,7 +175,8 @@ class Planner {
     plan.excluded = brief_.excluded;
     plan.notes = brief_.notes;
     const StyleMeaning palette = style_of_palette(brief_.palette);
-    const Looks looks(kinds_, table_, brief_.styles, palette, unwanted_looks(), random_.fork("looks"));
+    const Looks looks(kinds_, table_, brief_.styles, palette, unwanted_looks(brief_),
+                      random_.fork("looks"));
     auto drafts = asked_items(brief_, table_);
     for (auto& draft : drafts)
       draft.item.description = looks.in_style(draft.item.category, draft.item.description);
@@ -273,11 +260,7 @@ class Planner {
     grouping_.run(attempt.drafts, brief_, plan);
     attempt.drafts = order_items(std::move(attempt.drafts), table_, arrangements_, plan);
     composition::complete_groups(plan, table_);
-    for (std::size_t i = attempt.drafts.size(); i < plan.items.size(); ++i) {
-      Draft added;
-      added.item = plan.items[i];
-      attempt.drafts.push_back(std::move(added));
-    }
+    attempt.drafts.resize(plan.items.size());  // what groups bring along no mention asks for
   }
 
   const PlanRequest& request_;

@@ -30,6 +30,16 @@ std::optional<std::size_t> number_of(std::string_view name) {
 
 }  // namespace
 
+std::string_view compass_name(int side) {
+  return compass[static_cast<std::size_t>(side)];
+}
+
+std::optional<int> compass_side(std::string_view name) {
+  const auto side = std::find(compass.begin(), compass.end(), name) - compass.begin();
+  return side < static_cast<std::ptrdiff_t>(compass.size()) ? std::optional(static_cast<int>(side))
+                                                            : std::nullopt;
+}
+
 std::vector<std::size_t> walls_towards(const Polygon& polygon, const Vec2& direction) {
   const auto length = [&](std::size_t wall) { return polygon.edge(wall).length(); };
   std::vector<std::size_t> found;
@@ -60,16 +70,15 @@ std::vector<std::size_t> walls_named(const Room& room, std::string_view name) {
   if (const auto wall = number_of(name))
     return *wall < room.polygon.size() ? std::vector{*wall} : std::vector<std::size_t>();
   if (name == accent_name) return {accent_wall(room)};
-  const auto side = std::find(compass.begin(), compass.end(), name) - compass.begin();
-  if (side == static_cast<std::ptrdiff_t>(compass.size())) return {};
-  auto walls = walls_on_side(room.polygon, static_cast<int>(side));
-  if (walls.empty()) walls = {wall_on_side(room.polygon, static_cast<std::size_t>(side))};
+  const auto side = compass_side(name);
+  if (!side) return {};
+  auto walls = walls_on_side(room.polygon, *side);
+  if (walls.empty()) walls = {wall_on_side(room.polygon, static_cast<std::size_t>(*side))};
   return walls;
 }
 
 bool is_wall_name(std::string_view name) {
-  return name == accent_name || number_of(name) ||
-         std::find(compass.begin(), compass.end(), name) != compass.end();
+  return name == accent_name || number_of(name) || compass_side(name);
 }
 
 }  // namespace roomgen

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -8,6 +9,11 @@
 #include "roomgen/scene/room.h"
 
 namespace roomgen {
+
+/// The sides of a rectangle by the compass, as walls_on_side() counts them: "south" is 0.
+std::string_view compass_name(int side);
+/// Nothing: it names no side.
+std::optional<int> compass_side(std::string_view name);
 
 /// The walls of a polygon that look to a direction (at most 45 degrees off), the longest first.
 std::vector<std::size_t> walls_towards(const Polygon& polygon, const Vec2& direction);
